@@ -1,4 +1,4 @@
-// How much a tree can number: its leaves hold 32 bits, of which some say what is in the leaf.
+// Limits what a tree can number: its leaves hold 32 bits, of which some say what is in the leaf.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Which files a render writes, and when.
+// The options that say which files a render writes, and when.
 #include <fmt/format.h>
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// How images are shown: PNGs, the contact sheet and the video. The EXR files do not depend on it. And what is done with
-// images that exist, instead of a scene: dspm --compare a.exr b.exr
+// The options that say how images are shown: PNGs, the contact sheet and the video. The EXR files do not depend on
+// them. Also the options for what is done with images that exist, instead of a scene: dspm --compare a.exr b.exr
 #include <fmt/format.h>
 
 #include <stdexcept>

@@ -1,4 +1,4 @@
-// Who is to watch a render.
+// The settings that say who is to watch a render.
 #pragma once
 
 #include <string>

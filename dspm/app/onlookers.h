@@ -1,4 +1,4 @@
-// Who watches a render while it goes on: a viewer that speaks tev's protocol, and the terminal.
+// Shows a render to those who watch it while it goes on: a viewer that speaks tev's protocol, and the terminal.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// What is rendered, and by which plugins.
+// The options that say what is rendered, and by which plugins.
 #include "dspm/app/option_group.h"
 
 namespace dspm {

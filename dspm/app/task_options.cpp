@@ -1,4 +1,4 @@
-// What to do instead of rendering.
+// The options that say what to do instead of rendering.
 #include "dspm/app/option_group.h"
 
 namespace dspm {

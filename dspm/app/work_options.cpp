@@ -1,4 +1,4 @@
-// How much of a scene is rendered, and for how long.
+// The options that say how much of a scene is rendered, and for how long.
 #include "dspm/app/option_group.h"
 #include "dspm/app/option_values.h"
 

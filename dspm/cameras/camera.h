@@ -1,4 +1,5 @@
-// Where camera paths start. Plugins: orthographic.cpp is the shortest to copy; plugins.cpp is the table.
+// A camera decides where camera paths start. Plugins: orthographic.cpp is the shortest to copy; plugins.cpp is the
+// table.
 #pragma once
 
 #include <memory>

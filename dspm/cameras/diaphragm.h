@@ -1,4 +1,4 @@
-// What a lens' stop lets through: a circle, or a shape that is seen in every highlight out of focus.
+// A lens' stop lets light through a circle, or a shape that is seen in every highlight out of focus.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Shared by the projective cameras: the area of the screen that a pixel sees, the thin lens, and their parameters. All
+// The projective cameras share this: the area of the screen that a pixel sees, the thin lens, and their parameters. All
 // of it is in camera space: x to the right, y up, z forward.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What a render depends on: a checkpoint keeps it, so that a render is never continued with another scene.
+// The facts that a render depends on. A checkpoint keeps them, so that a render is never continued with another scene.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Which elements of a scene matter to a part of its frames.
+// Tells which elements of a scene matter to a part of its frames.
 #pragma once
 
 #include <set>

@@ -1,5 +1,5 @@
-// How a pixel averages the image plane around its centre. Filters are importance-sampled: camera paths are distributed
-// around the centre like the filter, and all count equally. Plugins: box, triangle, gaussian, mitchell,
+// A filter says how a pixel averages the image plane around its centre. Filters are importance-sampled: camera paths
+// are distributed around the centre like the filter, and all count equally. Plugins: box, triangle, gaussian, mitchell,
 // sinc (pixel_filter.cpp).
 #pragma once
 

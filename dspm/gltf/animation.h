@@ -1,5 +1,5 @@
-// What changes in time. Every channel sets a place of the JSON, so the document of a moment is read like any other.
-// [Khronos, glTF 2.0, 3.11 and appendix C; KHR_animation_pointer]
+// An animation changes the document in time. Every channel sets a place of the JSON, so the document of a moment is
+// read like any other. [Khronos, glTF 2.0, 3.11 and appendix C; KHR_animation_pointer]
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What messages quote of a file's data, which may be a megabyte in one word.
+// Shortens what messages quote of a file's data, which may be a megabyte in one word.
 #pragma once
 
 #include <algorithm>

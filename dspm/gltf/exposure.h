@@ -1,4 +1,4 @@
-// How long the film must be exposed to a file's own lights, which may be as bright as a lamp or as the sun.
+// Finds out how long the film must be exposed to a file's own lights, which may be as bright as a lamp or as the sun.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Which extensions dspm reads.
+// Knows which extensions dspm reads.
 #pragma once
 
 #include <string>

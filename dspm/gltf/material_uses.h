@@ -1,4 +1,4 @@
-// Which materials of the scene language a document's primitives need, and what the variants replace them with.
+// Collects which materials of the scene language a document's primitives need, and what the variants replace them with.
 #pragma once
 
 #include <map>

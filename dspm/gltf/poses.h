@@ -1,4 +1,4 @@
-// Where the nodes of a document are, frame by frame.
+// The places of a document's nodes, frame by frame.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Shared by the readers of the image formats; also declares the formats that are only read.
+// The readers of the image formats share this, which also declares the formats that are only read.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Which channels of an OpenEXR file are its picture.
+// Finds out which channels of an OpenEXR file are its picture.
 #pragma once
 
 #include <ImfChannelList.h>

@@ -1,4 +1,4 @@
-// What must hold of an EXR file's bytes before the library may read them.
+// Checks an EXR file's bytes before the library may read them.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// From the integers of a file to an image.
+// Turns the integers of a file into an image.
 #pragma once
 
 #include <algorithm>

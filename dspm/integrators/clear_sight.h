@@ -1,4 +1,4 @@
-// What is seen in mirrors and through glass and water: the first rough surface after smooth ones.
+// Finds what is seen in mirrors and through glass and water: the first rough surface after smooth ones.
 #pragma once
 
 #include <utility>

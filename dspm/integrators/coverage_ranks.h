@@ -1,4 +1,4 @@
-// How much of a pixel each of a few things covers, counted by camera paths: what Cryptomatte calls ranks.
+// Counts, by camera paths, how much of a pixel each of a few things covers. Cryptomatte calls these ranks.
 #pragma once
 
 #include <algorithm>

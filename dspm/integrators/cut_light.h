@@ -1,5 +1,6 @@
-// What the maximum depth cuts off. A sample of the pixels has a second path in early iterations, which goes on far
-// beyond that depth; what it finds is no part of the picture, but tells how much light the picture lacks, and where.
+// Measures the light that the maximum depth cuts off. A sample of the pixels has a second path in early iterations,
+// which goes on far beyond that depth; what it finds is no part of the picture, but tells how much light the picture
+// lacks, and where.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Where photon paths start: a density over the lights and over the numbers that their emit() takes, constant on cells.
-// It needs nothing else of lights, so it works for those of plugins as well.
+// A guide says where photon paths start: it is a density over the lights and over the numbers that their emit() takes,
+// constant on cells. It needs nothing else of lights, so it works for those of plugins as well.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// Where photon paths start, and how many of them hit points find: what pilot paths learned, for --stats and --explain.
+// Reports where photon paths start, and how many of them hit points find: what pilot paths learned, for --stats and
+// --explain.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// From the photon paths that were found to a guide: a binary tree over the numbers of each light, finest where the
+// Makes a guide of the photon paths that were found: a binary tree over the numbers of each light, finest where the
 // paths that matter start. [Hachisuka and Jensen 2011; Müller et al. 2017]
 #pragma once
 

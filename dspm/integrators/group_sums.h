@@ -1,4 +1,4 @@
-// What each group of lights brings to the pixels of a progressive integrator: the light of its photons, within the
+// Sums what each group of lights brings to the pixels of a progressive integrator: the light of its photons, within the
 // radii of the image's estimator. If a radius shrinks, tau and R^2 do so alike [WG12 (2), (4)], so a pixel's radiance
 // is the mean over the iterations of phi / (pi R^2) at the radius that each of them had. That is linear in the photons,
 // whatever the radii follow: groups add up to the image. What shadow catchers catch is in none of them.

@@ -1,5 +1,5 @@
-// What camera paths leave in a tile: light that they see, and hit points. Values that are negative or not finite are
-// rejected and blamed on whoever gave them.
+// Writes what camera paths leave in a tile: light that they see, and hit points. Values that are negative or not finite
+// are rejected and blamed on whoever gave them.
 #pragma once
 
 #include <algorithm>

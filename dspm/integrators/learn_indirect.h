@@ -1,6 +1,6 @@
-// Who should find the light that rough surfaces throw on one another: photons, which need a surface full of them, or
-// camera paths, which go on from hit points. Under a sky over a wide ground hardly a photon finds its way from the
-// ground to what stands on it; in a room nearly all do.
+// Learns who should find the light that rough surfaces throw on one another: photons, which need a surface full of
+// them, or camera paths, which go on from hit points. Under a sky over a wide ground hardly a photon finds its way from
+// the ground to what stands on it; in a room nearly all do.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What values light can have, for any plugin.
+// Tests values that light can have, for any plugin.
 #pragma once
 
 #include "dspm/colour/rgb.h"

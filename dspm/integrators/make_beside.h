@@ -1,4 +1,4 @@
-// How an integrator is made that another one wraps, if memory is bounded.
+// Makes an integrator that another one wraps, if memory is bounded.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What photon traces add to the statistics, and the memory that they take.
+// Counts what photon traces add to the statistics, and the memory that they take.
 #include "dspm/integrators/photon.h"
 
 namespace dspm {

@@ -1,4 +1,4 @@
-// Where the flux of photons goes, frame by frame: what lights emit is absorbed, escapes, or ends with its path.
+// Sums where the flux of photons goes, frame by frame: what lights emit is absorbed, escapes, or ends with its path.
 #pragma once
 
 #include "dspm/colour/rgb.h"

@@ -1,4 +1,4 @@
-// How photon paths leave the lights: together in all frames whose photons differ at most in colour.
+// Starts photon paths at the lights: together in all frames whose photons differ at most in colour.
 #pragma once
 
 #include <span>

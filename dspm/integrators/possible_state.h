@@ -1,5 +1,5 @@
-// What a state that was loaded cannot hold. Checkpoints come from other people: their checksum reveals damage, not
-// malice.
+// Rejects what a state that was loaded cannot hold. Checkpoints come from other people: their checksum reveals damage,
+// not malice.
 #pragma once
 
 #include <stdexcept>

@@ -1,4 +1,4 @@
-// Which of its two faces a surface shows to a ray, and of which placed shape it is. If light passes through a surface,
+// One of the two faces of a placed shape's surface: the one that it shows to a ray. If light passes through a surface,
 // the direction that it comes from does not tell whether it has come to this face or to another one close by.
 #pragma once
 

@@ -1,5 +1,5 @@
-// Which photons around a point of a surface count for it. Together with kernel_size.h and a hit point's scattering,
-// this is all that estimators know of surfaces.
+// Decides which photons around a point of a surface count for it. Together with kernel_size.h and a hit point's
+// scattering, this is all that estimators know of surfaces.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// What the camera sees first, for any integrator: position, depth, normal, albedo, texture coordinates, object and
+// Adds what the camera sees first to any integrator: position, depth, normal, albedo, texture coordinates, object and
 // material, and whether it sees anything; and what denoisers take: the first rough surface after smooth ones. Camera
 // rays of their own find it, through the same film and lens points as the integrator's paths, so that it is filtered
 // like the image.

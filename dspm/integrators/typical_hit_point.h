@@ -1,4 +1,4 @@
-// What photons find at a typical place, from the counts of the gathers that are made anyway.
+// Measures what photons find at a typical place, from the counts of the gathers that are made anyway.
 #pragma once
 
 #include <algorithm>

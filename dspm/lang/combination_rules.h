@@ -1,4 +1,4 @@
-// What AxisExclude and AxisOnly leave of the axes' combinations.
+// Applies AxisExclude and AxisOnly to the axes' combinations.
 #pragma once
 
 #include <vector>

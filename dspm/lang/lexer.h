@@ -1,5 +1,5 @@
-// From text to tokens. Tokens are views of the text; lists of numbers, which make up most of a scene file, go straight
-// into vectors, without tokens.
+// Turns text into tokens. Tokens are views of the text; lists of numbers, which make up most of a scene file, go
+// straight into vectors, without tokens.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// From directives to the SceneDescription: keeps the current state, and reports misplaced directives.
+// Builds the SceneDescription from directives: keeps the current state, and reports misplaced directives.
 #pragma once
 
 #include <map>

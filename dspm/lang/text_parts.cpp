@@ -1,4 +1,4 @@
-// Where a scene's text may change the values of `$name`.
+// Finds out where a scene's text may change the values of `$name`.
 #include <algorithm>
 #include <optional>
 

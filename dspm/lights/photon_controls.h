@@ -1,4 +1,4 @@
-// What a scene says about the photons of any light, for any plugin.
+// Reads what a scene says about the photons of any light, for any plugin.
 #pragma once
 
 #include "dspm/params/params.h"

@@ -1,6 +1,6 @@
-// What a projector sends through the image on a screen in front of it: radiant intensity by direction, bilinear between
-// the centres of pixels. The screen lies in the plane z = 1, its image upright for an eye at the origin with +x to the
-// right and +y up.
+// The light that a projector sends through the image on a screen in front of it: radiant intensity by direction,
+// bilinear between the centres of pixels. The screen lies in the plane z = 1, its image upright for an eye at the
+// origin with +x to the right and +y up.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
-// Where light comes from in the hemisphere above a window, as means over cells between two angles, so that what a point
-// sees through the window is a rectangle of cells: directions are sampled within it in proportion to the means.
-// [Bitterli, Novak, Jarosz 2015, Portal-Masked Environment Map Sampling]
+// A map of where light comes from in the hemisphere above a window, as means over cells between two angles, so that
+// what a point sees through the window is a rectangle of cells: directions are sampled within it in proportion to the
+// means. [Bitterli, Novak, Jarosz 2015, Portal-Masked Environment Map Sampling]
 #pragma once
 
 #include <optional>

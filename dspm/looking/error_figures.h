@@ -1,4 +1,4 @@
-// How far an image is from a reference, in numbers.
+// Measures how far an image is from a reference.
 #pragma once
 
 #include <optional>

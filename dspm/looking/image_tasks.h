@@ -1,4 +1,4 @@
-// What dspm does with images that exist, instead of rendering.
+// The tasks that dspm does with images that exist, instead of rendering.
 #pragma once
 
 #include <string>

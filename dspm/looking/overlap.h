@@ -1,4 +1,4 @@
-// Where two images show the same pixels of a picture: one or both of them may be a crop of it.
+// Finds where two images show the same pixels of a picture: one or both of them may be a crop of it.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,6 @@
-// What a machine makes of a block of iterations: one term of the sum over all of them. The terms are added in the order
-// of their numbers, so the bits depend neither on which machine did which, nor on how many machines there are.
+// The state that a machine makes of a block of iterations is one term of the sum over all of them. The terms are added
+// in the order of their numbers, so the bits depend neither on which machine did which, nor on how many machines there
+// are.
 #pragma once
 
 #include <string>

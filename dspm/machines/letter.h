@@ -1,5 +1,5 @@
-// What machines that render together write to one another. The first one leads: it hands out blocks of iterations, and
-// adds up what comes back. The others help.
+// The letters that machines that render together write to one another. The first one leads: it hands out blocks of
+// iterations, and adds up what comes back. The others help.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// How letters travel between machines; only one thread uses it. Optional libraries implement it in a module that the
-// program loads if it was started by their tools: see mpi/mpi_link.cpp.
+// A link carries letters between machines; only one thread uses it. Optional libraries implement it in a module that
+// the program loads if it was started by their tools: see mpi/mpi_link.cpp.
 #pragma once
 
 #include <optional>

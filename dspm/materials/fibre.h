@@ -1,5 +1,5 @@
-// How light is scattered by a dielectric fibre with scales, in a plane along it and across it. Directions are given by
-// theta from the plane across the fibre, and phi around it. Path p of light is reflected (0), goes through (1), or is
+// Scatters light at a dielectric fibre with scales, in a plane along it and across it. Directions are given by theta
+// from the plane across the fibre, and phi around it. Path p of light is reflected (0), goes through (1), or is
 // reflected once inside (2); kFibrePaths counts those, the others are taken together. [Chiang, Bitterli, Tappan, Burley
 // 2016, A Practical and Controllable Hair and Fur Model for Production Path Tracing; d'Eon et al. 2011, An
 // Energy-Conserving Hair Reflectance Model]

@@ -1,4 +1,4 @@
-// What fills a body: it absorbs and scatters light on its way from one point of the surface to another.
+// The medium that fills a body: it absorbs and scatters light on its way from one point of the surface to another.
 #pragma once
 
 #include "dspm/colour/rgb.h"

@@ -1,4 +1,4 @@
-// What a layer leaves to facets below it, so that nothing is lost between them.
+// Balances what a layer leaves to facets below it, so that nothing is lost between them.
 //
 // A layer leaves X(o) of the light from o. Of what white facets send from o to i, a(o) a(i) passes the layer both ways,
 // with a such that all that reaches them leaves again, now or after more reflections to and fro:

@@ -1,4 +1,4 @@
-// What a surface is made of. Plugins: diffuse.cpp is the shortest to copy; plugins.cpp is the table.
+// A material says how a surface scatters light. Plugins: diffuse.cpp is the shortest to copy; plugins.cpp is the table.
 #pragma once
 
 #include <memory>

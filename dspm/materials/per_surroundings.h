@@ -1,4 +1,4 @@
-// What a boundary needs for each index of refraction around it.
+// Keeps what a boundary needs for each index of refraction around it.
 #pragma once
 
 #include <atomic>

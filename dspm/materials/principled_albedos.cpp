@@ -1,4 +1,4 @@
-// What the layers of the principled material leave to each other, by the tables of their albedos.
+// Computes what the layers of the principled material leave to each other, by the tables of their albedos.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// How the layers of the principled material are sampled, and with which density.
+// Samples the layers of the principled material, and computes the density of the samples.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// At most one element per frame, on the stack, without the cost of constructing unused ones.
+// Holds at most one element per frame, on the stack, without the cost of constructing unused ones.
 #pragma once
 
 #include <array>

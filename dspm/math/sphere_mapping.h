@@ -1,4 +1,5 @@
-// How an image covers the sphere of directions. Places are in the unit square, x to the right and y down.
+// A mapping says how an image covers the sphere of directions. Places are in the unit square, x to the right and y
+// down.
 #pragma once
 
 #include "dspm/math/vec.h"

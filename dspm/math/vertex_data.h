@@ -1,5 +1,5 @@
-// What a mesh knows of its vertices beyond what every surface has. Shapes know no textures and textures no shapes, so
-// this stands between them.
+// The interface to what a mesh knows of its vertices beyond what every surface has. Shapes know no textures and
+// textures no shapes, so this stands between them.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// All plugins, of every kind, and how messages name them.
+// Lists all plugins, of every kind, and how messages name them.
 #pragma once
 
 #include <functional>

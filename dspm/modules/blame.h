@@ -1,5 +1,5 @@
-// Which module is at fault: the one whose code is on the stack where something was thrown, or on that of a thread that
-// does not return.
+// Finds out which module is at fault: the one whose code is on the stack where something was thrown, or on that of a
+// thread that does not return.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// What a module and the dspm that loads it must agree on: dspm's version, the compiler's ABI, the headers of the
-// interface, and the sizes of the types that both use. A module carries its stamp as an ELF note, so that it is
+// A stamp holds what a module and the dspm that loads it must agree on: dspm's version, the compiler's ABI, the headers
+// of the interface, and the sizes of the types that both use. A module carries its stamp as an ELF note, so that it is
 // compared before any code of the module runs.
 #pragma once
 

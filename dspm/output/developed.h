@@ -1,4 +1,4 @@
-// From radiance to the values in files.
+// Turns radiance into the values in files.
 #pragma once
 
 #include "dspm/image/image.h"

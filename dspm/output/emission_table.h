@@ -1,4 +1,4 @@
-// Where photon paths started and how many were found, light by light: a part of the report of a run.
+// Lists where photon paths started and how many were found, light by light: a part of the report of a run.
 #pragma once
 
 #include <string>

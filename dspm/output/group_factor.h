@@ -1,4 +1,4 @@
-// What --relight says of a group of lights.
+// Reads what --relight says of a group of lights.
 #pragma once
 
 #include <string>

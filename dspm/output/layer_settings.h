@@ -1,4 +1,5 @@
-// How outputs besides radiance are kept: as layers of the image's file or in files of their own, and how precisely.
+// The settings that say how outputs besides radiance are kept: as layers of the image's file or in files of their own,
+// and how precisely.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Which id in a file stands for which name.
+// Records which id in a file stands for which name.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// What more threads would do for each step of a run.
+// Predicts what more threads would do for each step of a run.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// From radiance to what a screen can show. docs/looking.md describes the views.
+// Turns radiance into what a screen can show. docs/looking.md describes the views.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// What other renderers call things, for suggestions.
+// Knows what other renderers call things, for suggestions.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// Who may use the page: whoever knows the token, which is part of the printed address, on dspm's own pages only. If
-// only this machine can reach the page, its own names are required, too.
+// Decides who may use the page: whoever knows the token, which is part of the printed address, on dspm's own pages
+// only. If only this machine can reach the page, its own names are required, too.
 #pragma once
 
 #include <optional>

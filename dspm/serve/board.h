@@ -1,5 +1,5 @@
-// What the page says: the state of the run, as JSON, and the lines of the log. Threads that serve viewers wait for
-// news.
+// The board holds what the page says: the state of the run, as JSON, and the lines of the log. Threads that serve
+// viewers wait for news.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// What the page has to know of a run before there are pictures.
+// Describes what the page has to know of a run before there are pictures.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// What viewers want the render to do. The threads that serve the page give orders, the one that renders takes them.
+// The orders of viewers to the render. The threads that serve the page give orders, the one that renders takes them.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// How often something may interrupt the render, so that it takes no more than a small share of the time.
+// Decides how often something may interrupt the render, so that it takes no more than a small share of the time.
 #pragma once
 
 #include <algorithm>

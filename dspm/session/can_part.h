@@ -1,4 +1,4 @@
-// What machines can share out the iterations of.
+// Checks whether machines can share out the iterations.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What a scene's integrator learns about where photons should start, without a render.
+// Explains what a scene's integrator learns about where photons should start, without a render.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// How the frames of a run are divided into intervals if not all are rendered together, so that the frames of an
-// interval share as much as possible.
+// Divides the frames of a run into intervals, if not all are rendered together, so that the frames of an interval share
+// as much as possible.
 #pragma once
 
 #include <span>

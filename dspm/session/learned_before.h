@@ -1,4 +1,4 @@
-// What the last run has learned about where photons start, for the coarse iterations after an edit.
+// Keeps what the last run has learned about where photons start, for the coarse iterations after an edit.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// From scene files to everything that a render needs.
+// Loads everything that a render needs from scene files.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// How machines can share a render out: parts of the iterations, of the frames, or of both.
+// Plans how machines can share a render out: parts of the iterations, of the frames, or of both.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// When to write something between iterations.
+// Decides when to write something between iterations.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// What a ray meets of a primitive after it has passed through a hole in it.
+// Finds what a ray meets of a primitive after it has passed through a hole in it.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// How a surface is curved, for what its reflections and refractions magnify.
+// Measures how a surface is curved, for what its reflections and refractions magnify.
 #pragma once
 
 #include "dspm/math/vec.h"

@@ -1,4 +1,4 @@
-// From segments of curves to the pieces that trees bound.
+// Cuts segments of curves into the pieces that trees bound.
 #pragma once
 
 #include <cstdint>

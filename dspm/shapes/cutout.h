@@ -1,4 +1,4 @@
-// Where a shape has holes: pbrt's "alpha". Shapes know no textures, so world implements this with one.
+// A cutout says where a shape has holes: pbrt's "alpha". Shapes know no textures, so world implements this with one.
 #pragma once
 
 #include "dspm/params/params.h"

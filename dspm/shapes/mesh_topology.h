@@ -1,4 +1,5 @@
-// How the faces of a mesh are connected, by the places of their vertices: texture seams do not separate a surface.
+// Finds out how the faces of a mesh are connected, by the places of their vertices: texture seams do not separate a
+// surface.
 #pragma once
 
 #include <vector>

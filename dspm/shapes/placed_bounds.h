@@ -1,4 +1,4 @@
-// Where a part of a shape lies in the world.
+// Bounds the place where a part of a shape lies in the world.
 #pragma once
 
 #include "dspm/math/vec.h"

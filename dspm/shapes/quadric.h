@@ -1,5 +1,6 @@
-// Shared by sphere, cylinder and disk: where a ray meets a circle's or a sphere's surface, and the angle that the shape
-// covers around the z axis. Intersections are in double, because rays come from far away and leave from very near.
+// Sphere, cylinder and disk share this: where a ray meets a circle's or a sphere's surface, and the angle that the
+// shape covers around the z axis. Intersections are in double, because rays come from far away and leave from very
+// near.
 #pragma once
 
 #include <numbers>

@@ -1,5 +1,6 @@
-// Which files the program may touch: all, or with `--sandbox` those in one directory. All code that opens a file whose
-// name comes from outside checks here first: read_bytes for reading, AtomicFile for writing, and the module loader.
+// Decides which files the program may touch: all, or with `--sandbox` those in one directory. All code that opens a
+// file whose name comes from outside checks here first: read_bytes for reading, AtomicFile for writing, and the module
+// loader.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// What changes when a file is saved.
+// A stamp changes when a file is saved.
 #pragma once
 
 #include <chrono>

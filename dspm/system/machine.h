@@ -1,4 +1,4 @@
-// What the bits of a computation depend on besides the program: the machine.
+// Names the machine, on which the bits of a computation depend besides the program.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Who hears what is printed to standard error, and pictures among it.
+// Lets a listener hear what is printed to standard error, and prints pictures among it.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,6 @@
-// How far more threads than this machine has would help: the work of a computation, and its span, the part that no
-// number of threads shortens. It is measured by the processor time of threads, so other programs do not disturb it.
+// Estimates how far more threads than this machine has would help: the work of a computation, and its span, the part
+// that no number of threads shortens. It is measured by the processor time of threads, so other programs do not disturb
+// it.
 #pragma once
 
 #include <atomic>

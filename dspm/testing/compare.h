@@ -1,4 +1,4 @@
-// How far two images are apart, over all pixels and channels; for dspm's tests and those of its plugins.
+// Measures how far two images are apart, over all pixels and channels; for dspm's tests and those of its plugins.
 #pragma once
 
 #include <vector>

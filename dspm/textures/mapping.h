@@ -1,4 +1,4 @@
-// From a point on a surface to the plane in which pictures and checkerboards lie, or to the space in which noise and
+// Maps a point on a surface to the plane in which pictures and checkerboards lie, or to the space in which noise and
 // cubes do. A footprint is carried along: the changes of the coordinates along its two axes.
 //
 //   | mapping                              | "uv"     | or spherical, cylindrical, planar                         |

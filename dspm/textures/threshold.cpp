@@ -1,4 +1,4 @@
-// Where a texture of numbers reaches an edge: leaves cut out of a picture whose alpha is soft.
+// 1 where a texture of numbers reaches an edge: leaves cut out of a picture whose alpha is soft.
 //
 //   Texture "leaf" "float" "threshold" "texture tex" "outline" "float edge" .5
 //

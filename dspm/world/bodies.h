@@ -1,4 +1,4 @@
-// What paths need to know of the bodies of a scene.
+// Finds what paths need to know of the bodies of a scene.
 #pragma once
 
 #include "dspm/scene/scene.h"

@@ -1,4 +1,5 @@
-// What an object is made of, as 128 bits: equal contents have equal keys; different contents almost certainly do not.
+// A key of what an object is made of, in 128 bits: equal contents have equal keys; different contents almost certainly
+// do not.
 #pragma once
 
 #include <compare>

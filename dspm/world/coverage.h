@@ -1,5 +1,5 @@
-// Whether what was derived from the first frames of a file (the choice of lights, the sphere around everything) serves
-// the frames that were added to it since.
+// Checks whether what was derived from the first frames of a file (the choice of lights, the sphere around everything)
+// serves the frames that were added to it since.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// Which shapes emit light, and why.
+// Finds which shapes emit light, and why.
 #include <fmt/format.h>
 
 #include "dspm/colour/rgb.h"

@@ -1,4 +1,4 @@
-// Which of a file's frames are rendered: --variation and --frames.
+// Chooses which of a file's frames are rendered: --variation and --frames.
 #pragma once
 
 #include <optional>

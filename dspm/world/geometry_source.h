@@ -1,4 +1,4 @@
-// What Geometry makes of a Shape directive before it places it.
+// The source that Geometry makes of a Shape directive before it places it.
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// What Shape directives make, on many threads but in the order of the directives.
+// Makes what Shape directives ask for, on many threads but in the order of the directives.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Which integrator renders a scene, and with which parameters: dspm's rules for pbrt's names.
+// Chooses which integrator renders a scene, and with which parameters: dspm's rules for pbrt's names.
 #pragma once
 
 #include "dspm/integrators/integrator.h"

@@ -1,4 +1,5 @@
-// What to render, and how: the scene's Film, PixelFilter, Sampler and Integrator, overridden by the caller's choices.
+// A job says what to render, and how: the scene's Film, PixelFilter, Sampler and Integrator, overridden by the caller's
+// choices.
 #pragma once
 
 #include <memory>

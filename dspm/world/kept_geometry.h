@@ -1,6 +1,6 @@
-// What is kept of the geometry of scenes that were loaded before, for one that is loaded after an edit: shapes whose
-// parameters and files are what they were are neither read nor checked again, and a tree over the same shapes at the
-// same places is not built again. A scene that is loaded with it has the same bits as one that is loaded without.
+// Keeps the geometry of scenes that were loaded before, for one that is loaded after an edit: shapes whose parameters
+// and files are what they were are neither read nor checked again, and a tree over the same shapes at the same places
+// is not built again. A scene that is loaded with it has the same bits as one that is loaded without.
 #pragma once
 
 #include <chrono>

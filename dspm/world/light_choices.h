@@ -1,5 +1,5 @@
-// Which frames of the file choose lights for their photon paths alike. Frames whose lights differ little do, so that
-// they share these paths. Frames whose lights differ much do not, or each would get photons that light others.
+// Decides which frames of the file choose lights for their photon paths alike. Frames whose lights differ little do, so
+// that they share these paths. Frames whose lights differ much do not, or each would get photons that light others.
 #pragma once
 
 #include <vector>

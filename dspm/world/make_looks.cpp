@@ -1,4 +1,4 @@
-// How textures and materials are made from their recipes, after those that they name.
+// Makes textures and materials from their recipes, after those that they name.
 #include <fmt/format.h>
 
 #include "dspm/colour/rgb.h"

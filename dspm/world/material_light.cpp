@@ -1,4 +1,4 @@
-// What materials say of their shapes besides how they scatter: holes ("alpha") and light ("emission").
+// Collects what materials say of their shapes besides how they scatter: holes ("alpha") and light ("emission").
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Which outputs a run writes next to radiance.
+// Chooses which outputs a run writes next to radiance.
 #pragma once
 
 #include <optional>

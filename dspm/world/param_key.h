@@ -1,4 +1,4 @@
-// What a list of parameters says, as a key.
+// Turns what a list of parameters says into a key.
 #pragma once
 
 #include "dspm/params/params.h"

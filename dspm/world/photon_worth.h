@@ -1,5 +1,5 @@
-// What a file's photons are worth to each of its frames. Photon paths choose lights, and starting points for lights
-// infinitely far away, to suit all frames of the file.
+// Computes what a file's photons are worth to each of its frames. Photon paths choose lights, and starting points for
+// lights infinitely far away, to suit all frames of the file.
 #pragma once
 
 #include <vector>

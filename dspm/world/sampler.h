@@ -1,4 +1,4 @@
-// What dspm takes from the Sampler directive; the sequence of random numbers is its own.
+// Reads what dspm takes from the Sampler directive; the sequence of random numbers is its own.
 #pragma once
 
 #include <optional>

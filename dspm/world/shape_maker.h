@@ -1,4 +1,4 @@
-// What a Shape directive makes of its parameters, or what it made of them before.
+// Makes the shapes of a Shape directive, or returns those that were made of the same parameters before.
 #pragma once
 
 #include <filesystem>

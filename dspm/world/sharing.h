@@ -1,4 +1,4 @@
-// What frames share and what they do not, and why, in words: for --explain.
+// Explains what frames share and what they do not, and why, for --explain.
 #pragma once
 
 #include <span>

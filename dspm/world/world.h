@@ -1,4 +1,4 @@
-// From the description (plain data) to objects: everything that a scene file says about geometry, looks, light and
+// Turns the description (plain data) into objects: everything that a scene file says about geometry, looks, light and
 // camera, made once for all frames of the file; the scenes of frame intervals are cut from it.
 #pragma once
 

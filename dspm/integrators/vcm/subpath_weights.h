@@ -1,6 +1,7 @@
-// How vertex connection and merging weighs the ways to find one and the same path, by the balance heuristic. Each
-// subpath carries two sums over other ways to find it, relative to its own density; a way's weight needs only the sums
-// of its two ends. [Georgiev 2012, Implementing Vertex Connection and Merging; (n) is an equation there]
+// The weights by which vertex connection and merging combines the ways to find one and the same path, by the balance
+// heuristic. Each subpath carries two sums over other ways to find it, relative to its own density; a way's weight
+// needs only the sums of its two ends. [Georgiev 2012, Implementing Vertex Connection and Merging; (n) is an equation
+// there]
 //
 // Beside connections, vertices are merged only where light arrives from a mirror or a narrow lobe, since there a
 // connection fails: either its end is specular, or it meets the lobe by chance. Elsewhere all merges of a camera path

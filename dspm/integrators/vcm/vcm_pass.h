@@ -1,4 +1,4 @@
-// What all parts of one iteration of vertex connection and merging share.
+// The data that all parts of one iteration of vertex connection and merging share.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What pbrt-v3 says before WorldBegin: camera, film, sampler, filter and integrator.
+// Translates what pbrt-v3 says before WorldBegin: camera, film, sampler, filter and integrator.
 #include <algorithm>
 #include <cmath>
 #include <span>

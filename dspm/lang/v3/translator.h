@@ -1,4 +1,4 @@
-// From pbrt-v3 to v4, directive by directive: plain data to plain data, no plugin is known.
+// Translates pbrt-v3 to v4, directive by directive: plain data to plain data, no plugin is known.
 #pragma once
 
 #include <array>
