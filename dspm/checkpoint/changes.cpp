@@ -38,7 +38,8 @@ bool chooses(const SceneDescription& description, int combination, const std::st
   return false;
 }
 
-/// Returns whether the difference matters to each earlier combination; nullopt if it matters to all, or nobody knows.
+/// Returns whether the difference matters to each earlier combination; nullopt if it matters to all, or if that is not
+/// known.
 std::optional<Marks> matters_to(const Difference& difference, const std::vector<std::string>& names,
                                 const MovedFrames& moved, const SceneDescription& description) {
   const Fact& fact = difference.now != nullptr ? *difference.now : *difference.then;

@@ -1,5 +1,5 @@
 // An interval in which frames were given up. Its integrator goes on as it began, with another frame in their places,
-// and nobody sees these.
+// whose images are not shown.
 #pragma once
 
 #include <memory>

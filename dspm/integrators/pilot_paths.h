@@ -12,7 +12,7 @@
 
 namespace dspm {
 
-/// The name in reports of paths of which only those count that bring more than direct light.
+/// The name, in reports, of paths that count only if they bring more than direct light.
 inline constexpr const char* kLightPaths = "light paths";
 
 /// A pilot path that was found. `squares` is the sum of the squares of what it adds to pixels and frames.

@@ -13,7 +13,7 @@
 namespace dspm {
 namespace {
 
-// Angles are told by their versine, 1 - cos, which has digits left where the cosine has none, and in which solid angles
+// Angles are given by their versine, 1 - cos, which has digits left where the cosine has none, and in which solid angles
 // are even.
 class SunDisk final : public Light {
  public:

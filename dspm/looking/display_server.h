@@ -19,7 +19,7 @@ class DisplayServer {
   bool is_ready() const { return sender_.is_idle(); }
   /// Sends the regions that have changed since the last time. `channels` are one to three, of the pixels' r, g and b.
   void show(const std::string& name, const Image& image, const std::vector<std::string>& channels);
-  /// Returns why there are no images, once; empty if all is well, or if it has been told.
+  /// Returns why there are no images, once; empty if all is well, or if it has been reported.
   std::string take_fault() { return sender_.take_fault(); }
 
  private:

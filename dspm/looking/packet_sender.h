@@ -28,7 +28,7 @@ class PacketSender {
   bool is_idle() const;
   /// Sends a packet, which is dropped if there is no connection, or another one.
   void send(std::string packet, int connection);
-  /// Returns why there is no connection, once; empty if there is one, or if it has been told.
+  /// Returns why there is no connection, once; empty if there is one, or if it has been reported.
   std::string take_fault();
 
  private:

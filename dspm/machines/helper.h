@@ -15,16 +15,17 @@ namespace dspm {
 
 class Helper {
  public:
-  /// Calls `on_end`, on the thread of the post, when the leader says that it is over, or that the scene was edited.
+  /// Calls `on_end`, on the thread of the post, when the leader says that the render is over, or that the scene was
+  /// edited.
   Helper(Link& link, std::function<void()> on_end);
   /// Says goodbye.
   ~Helper() { post_.send(0, LetterKind::bye); }
 
-  /// Returns what to load; nullopt if it is over.
+  /// Returns what to load; nullopt if the render is over.
   std::optional<Edition> edition();
-  /// Renders until the leader says that it is over, or that there is another edition.
+  /// Renders until the leader says that the render is over, or that there is another edition.
   void render(const LoadedScene& loaded, Messages& messages, const Hello& hello);
-  /// Says that it cannot help with this edition, and waits until it is over, or there is another edition.
+  /// Says that it cannot help with this edition, and waits until the render is over, or there is another edition.
   void fail(const Failure& failure);
 
  private:

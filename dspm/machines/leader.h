@@ -44,8 +44,8 @@ class Leader {
   /// Ends as end() does, but throws nothing.
   ~Leader();
 
-  /// Tells all others that it is over, and waits until they have nothing more to say: MPI does not end before their
-  /// last letters are taken. If one does not answer, abandons the link and throws MachineFailed.
+  /// Tells all others that the render is over, and waits until they have nothing more to say: MPI does not end before
+  /// their last letters are taken. If one does not answer, abandons the link and throws MachineFailed.
   void end();
 
   /// Sets the digest of the scene; call it before the first order. Helpers whose scene has another one fail.

@@ -84,7 +84,7 @@ class LivePage {
 
  private:
   enum class Size { wished, affordable };
-  /// Shows the pictures of which there is none of this run after that many iterations.
+  /// Takes and shows the pictures that Gallery::wanted(iterations) asks for.
   void show_pictures(const Exhibit& exhibit, int iterations, Size size = Size::wished);
   int halvings_to_afford(const std::vector<Wish>& wishes) const;
   double pixels_of(const std::vector<Wish>& wishes, int shrunk) const;

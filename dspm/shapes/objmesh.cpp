@@ -2,7 +2,7 @@
 //
 // Triangles from a Wavefront OBJ file, with the materials of its MTL files. Faces of any number of corners, normals,
 // texture coordinates, negative indices, colours of vertices (see the texture "vertexcolor"). In a Dynamic block `%03d`
-// in the name stands for the frame's number; where a file of the sequence has no faces, the shape is not there.
+// in the name stands for the frame's number; if a file of the sequence has no faces, the shape is not there.
 //
 // | parameter | default  | meaning |
 // | --------- | -------- | ------- |

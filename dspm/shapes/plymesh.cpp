@@ -10,7 +10,7 @@
 // | edgelength | 1 | of a displaced mesh: triangles are split until no edge is longer, in the world |
 // | repair    | false    | repairs the mesh if it is not a closed surface: see mesh_repair.h |
 //
-// In a Dynamic block `%03d` in the name stands for the frame's number; where a file of the sequence has no faces, the
+// In a Dynamic block `%03d` in the name stands for the frame's number; if a file of the sequence has no faces, the
 // shape is not there. [Turk 1994, The PLY Polygon File Format]
 #include <stdexcept>
 
