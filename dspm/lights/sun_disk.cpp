@@ -13,8 +13,8 @@
 namespace dspm {
 namespace {
 
-// Angles are given by their versine, 1 - cos, which has digits left where the cosine has none, and in which solid angles
-// are even.
+// Angles are given by their versine, 1 - cos, which has digits left where the cosine has none, and in which solid
+// angles are even.
 class SunDisk final : public Light {
  public:
   SunDisk(const SceneSphere& scene, const Vec3& towards_light, const Rgb& radiance, float rim)
