@@ -67,7 +67,7 @@ Bvh build_bvh(std::span<const Piece> pieces, int leaf_size, FrameSet frames);
 /// Pieces have size 1 or `leaf_size`. The order of leaves may differ from run to run; no answer depends on it.
 Bvh build_bvh_with_embree(std::span<const Piece> pieces, int leaf_size);
 
-/// With by_size, Embree builds trees of many pieces.
+/// The builder of a tree; by_size takes Embree's for many pieces.
 enum class BvhBuilder { by_size, own, embree };
 
 }  // namespace dspm

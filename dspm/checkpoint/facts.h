@@ -38,7 +38,7 @@ std::vector<Fact> facts_of_scene(const Job& job, const FramesPart& part);
 std::string digest_of(const Job& job);
 FramesPart all_frames(const Job& job);
 
-/// What an earlier list of facts belongs to, and the hint for each error.
+/// The words for what an earlier list of facts belongs to, and the hint for each error.
 struct Since {
   const char* what = "the checkpoint";
   const char* way_out = "a checkpoint continues only the same scene; to start over, use another checkpoint";

@@ -13,7 +13,7 @@ bool is_png(std::string_view bytes);
 /// Decodes any kind of PNG; 16 bits are kept. Throws std::runtime_error with the cause.
 Image decode_png(std::string_view bytes, ColorEncoding encoding);
 
-/// What the numbers of a PNG mean, according to its chunks.
+/// The meaning of the numbers of a PNG, according to its chunks.
 enum class PngSpace {
   srgb,        // the primaries of Rec. 709, sRGB's curve: sRGB, gAMA, cHRM
   display_p3,  // the primaries of P3, white D65, sRGB's curve: cICP, iCCP, gAMA, cHRM

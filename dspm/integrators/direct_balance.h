@@ -12,7 +12,7 @@
 
 namespace dspm {
 
-/// What weights depend on besides the scene.
+/// The figures that weights depend on besides the scene.
 struct DirectWays {
   std::int64_t photons = 0;                // paths of an iteration; 0: photons bring no direct light
   const EmissionGuides* guides = nullptr;  // they are drawn with; null or off: by power

@@ -18,7 +18,7 @@
 
 namespace dspm {
 
-/// What integrators with the same settings learn and share.
+/// The guides and figures that integrators with the same settings learn and share.
 struct LearnedEmission {
   EmissionGuides guides;
   LearnedDirect direct;

@@ -12,7 +12,7 @@
 
 namespace dspm {
 
-/// What an integrator needs, in bytes.
+/// The needs of an integrator, in bytes.
 struct MemoryNeeds {
   std::size_t pixels = 0;      // sums and statistics, by pixel and frame
   std::size_t hit_points = 0;  // per iteration

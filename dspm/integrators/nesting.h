@@ -50,7 +50,7 @@ void for_each_nesting(const Scene& scene, std::span<const int> bodies, FrameSet 
   choose(choose, 0, frames);
 }
 
-/// What a surface is to a path that meets it, in some frames.
+/// A surface as a path meets it, in some frames.
 struct Boundary {
   FrameSet frames;
   bool is_there;      // else it lies in a body of higher priority

@@ -24,7 +24,7 @@ struct PhotonStart {
 
 class PhotonStarts {
  public:
-  /// With share_paths, frames whose lights differ only in strength or colour start together.
+  /// Starts frames whose lights differ only in strength or colour together, if share_paths.
   PhotonStarts(const Scene& scene, bool share_paths);
   const std::vector<PhotonStart>& of(std::size_t choice, int light) const {
     return of_choice_[choice][static_cast<std::size_t>(light)];

@@ -30,8 +30,8 @@ class Desk {
   int wanted_from() const { return blocks_.empty() ? next_ : blocks_.begin()->first; }
   /// The machine holds the block from now on.
   void rendered(int machine, int begin);
-  /// Which machine must send which block now. to_fetch() returns each fetch once, in the order of the blocks' turns,
-  /// and some of them a little before their turn, so that the blocks are here in time.
+  /// A machine that must send a block now. to_fetch() returns each fetch once, in the order of the blocks' turns, and
+  /// some of them a little before their turn, so that the blocks are here in time.
   struct Fetch {
     int machine, begin;
   };

@@ -15,7 +15,8 @@
 
 namespace dspm {
 
-/// What a path carries. Refraction scales radiance by (eta_i/eta_t)^2 and leaves flux alone. [Veach 1997, 5.2]
+/// The quantity that a path carries. Refraction scales radiance by (eta_i/eta_t)^2 and leaves flux alone. [Veach 1997,
+/// 5.2]
 enum class Transport { radiance, flux };
 
 /// A subset of a Bsdf's lobes, one bit each.

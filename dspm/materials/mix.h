@@ -31,7 +31,7 @@ class MixMaterial final : public Material {
   /// made.
   using Opacities = std::array<TexturePtr<float>, 2>;
   void set_opacities(Opacities opacities);
-  /// How much of the mix is there; null if all of it is.
+  /// Returns how much of the mix is there; null if all of it is.
   const TexturePtr<float>& opacity() const { return opacity_; }
   /// Returns how much of a point each part covers, which adds up to the opacity.
   std::array<float, 2> cover(const TexturePoint& at) const { return cover_of(*amount_, opacities_, at); }

@@ -11,11 +11,11 @@
 
 namespace dspm {
 
-/// What lies outside of the picture's 0..1.
+/// The continuation of the picture outside of 0..1.
 enum class Wrap { repeat, mirror, black, clamp, octahedral_sphere };
 
-/// What a lookup of a number takes of a pixel. `usual` is the alpha of a picture that has one, else the mean of red,
-/// green and blue; `alpha` is 1 if the picture has none.
+/// The part of a pixel that a lookup of a number takes. `usual` is the alpha of a picture that has one, else the mean
+/// of red, green and blue; `alpha` is 1 if the picture has none.
 enum class Channel { usual, red, green, blue, alpha };
 
 enum class ImageFilter { point, bilinear, trilinear, ewa };
