@@ -107,8 +107,8 @@ class Scene {
   std::span<const std::string> object_names;
   std::vector<FrameStates<Material>> materials;
   std::span<const std::string> material_names;  // distinct
-  /// Whether the shapes of each material bound a body in some frame. Empty if no path needs to know the bodies that it
-  /// is in.
+  /// Says for each material whether its shapes bound a body in some frame. Empty if no path needs to know the bodies
+  /// that it is in.
   std::vector<bool> bounds_bodies;
   bool nests = false;  // bodies differ in priority: where they overlap, one of them is not there
   /// The bodies that the camera lies in; the sets are disjoint, and cover all frames if there are any.
