@@ -19,14 +19,14 @@ std::vector<Vec3> points_of(const Numbers& positions) {
   return points;
 }
 
-/// Those of the frames in which the node and what it hangs on are visible; if it rests, the first of them.
+/// Returns the frames in which the node and what it hangs on are visible; if it rests, the first of them.
 std::vector<int> visible_in(std::vector<int> frames, const Poses& poses, std::size_t node, bool rests) {
   std::erase_if(frames, [&](int frame) {
     for (std::optional<std::size_t> at = node; at; at = poses.parent(*at))
       if (!poses.at(*at, frame).visible) return true;
     return false;
   });
-  if (rests && !frames.empty()) frames.resize(1);
+  if (rests && !frames.empty()) frames.erase(frames.begin() + 1, frames.end());
   return frames;
 }
 
@@ -91,14 +91,14 @@ void SceneWriter::see_points(const std::vector<Vec3>& points, const Matrix4& pla
   subject_.add(placed);
 }
 
-/// Whether it is at the same place of the world in all frames.
+/// Returns whether the node is at the same place of the world in all frames.
 bool SceneWriter::stays(std::size_t node) const {
   for (std::optional<std::size_t> at = node; at; at = motion_->poses->parent(*at))
     if (motion_->poses->moves(*at)) return false;
   return true;
 }
 
-/// All, or if they are very many some from the first to the last.
+/// Returns all frames, or if they are very many some from the first to the last.
 std::vector<int> SceneWriter::frames_to_see() const {
   const int count = std::min(motion_->frames, kMostFramesSeen);
   std::vector<int> frames;
@@ -107,7 +107,7 @@ std::vector<int> SceneWriter::frames_to_see() const {
   return frames;
 }
 
-/// Of one mesh at each of its places.
+/// Returns how many points of one mesh are looked at, at each of its places.
 std::size_t SceneWriter::points_to_see(std::size_t places) const {
   const std::size_t meshes = std::max<std::size_t>((*document_)["meshes"].size(), 1);
   return std::max(kFewestPoints, kMostPlaces / (meshes * std::max<std::size_t>(places, 1)));

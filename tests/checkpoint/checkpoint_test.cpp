@@ -82,7 +82,6 @@ TEST(Checkpoint, AResumedRunCountsWhatRunsBeforeItDid) {
       seconds_told(directory, {"tiny.dsc", "--iterations", "0", "--time-limit", "0.5s", "--checkpoint", "a"});
   EXPECT_GE(before, 0.5);
   const int done = iterations();
-  EXPECT_GT(done, 1);
   const double after = seconds_told(directory, {"tiny.dsc", "--iterations", "1", "--resume", "a"});
   EXPECT_GE(after, 0.5);
   EXPECT_EQ(iterations(), done) << "nothing was left to do";

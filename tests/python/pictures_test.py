@@ -122,7 +122,7 @@ class Pictures(unittest.TestCase):
         self.assertTrue(sheet.exists())
         with self.assertRaisesRegex(IndexError, "frame 12: there are 12"):
             render.write(self.folder / "x.pfm", frames=[12])
-        with self.assertRaisesRegex(RuntimeError, "^cannot write .*nowhere.*: images are .exr, .png, .pfm or .hdr files$"):
+        with self.assertRaisesRegex(RuntimeError, "^cannot write .*nowhere.*: images are .exr, .png, .webp, .pfm or .hdr files$"):
             render.write(self.folder / "nowhere.jpg")
 
     def test_frames_are_found_by_what_they_show(self):

@@ -285,7 +285,7 @@ TEST(Memory, IsKeptWhereTheImageIsRegular) {
 #endif
   const TemporaryDirectory directory;
   put_file(directory / "tiny.dsc", regular_scene());
-  for (const char* memory : {"100M", "200M"}) {
+  for (const char* memory : {"120M", "200M"}) {
     const Outcome outcome = run(directory, {"tiny.dsc", "--memory", memory});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_LE(outcome.peak_bytes, kMegabyte * std::strtod(memory, nullptr));
