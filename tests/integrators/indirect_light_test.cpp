@@ -66,7 +66,8 @@ std::uint64_t stored(const std::string& text) {
   return made->statistics().photons_stored.done;
 }
 
-// A ball on a wide ground: hardly a photon finds its way from the ground to the ball. In a closed box nearly all do.
+// A ball on a wide ground: hardly a photon finds its way from the ground to the ball, and few are traced; with 2000 it is a
+// tie. In a closed box nearly all do.
 TEST(IndirectLight, IsFoundByPathsUnderTheSkyAndByPhotonsInABox) {
   const auto scene = [](const char* indirect, const char* things, int photons = 20000) {
     return fmt::format(R"(
@@ -87,7 +88,7 @@ AttributeBegin Rotate 90 1 0 0 Material "diffuse" "rgb reflectance" [.5 .5 .5] S
   const char* box = R"(
 LightSource "point" "rgb I" [5 5 5] "point3 from" [0 2 1]
 AttributeBegin Material "diffuse" "rgb reflectance" [.5 .5 .5] ReverseOrientation Shape "sphere" "float radius" 5 AttributeEnd)";
-  EXPECT_EQ(stored(scene("auto", sky, 2000)), stored(scene("paths", sky, 2000)));
+  EXPECT_EQ(stored(scene("auto", sky, 500)), stored(scene("paths", sky, 500)));
   EXPECT_EQ(stored(scene("auto", box)), stored(scene("photons", box)));
   EXPECT_NE(stored(scene("auto", box)), stored(scene("paths", box)));
 }
