@@ -31,7 +31,7 @@ set(testing_headers
   testing/scattering_cases.h testing/scenes.h testing/test_scene.h testing/verdict.h)
 set(toolkit_headers
   accel/box_ray.h accel/cut_query.h accel/hits.h accel/meet.h shapes/beyond_hole.h
-  cameras/projection.h
+  cameras/blades.h cameras/projection.h
   colour/rgb_lanes.h
   grid/buffer.h grid/point_grid.h grid/points_within.h
   integrators/balance.h integrators/body.h integrators/branching_path.h integrators/camera_path.h integrators/direct_balance.h
