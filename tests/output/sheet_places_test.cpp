@@ -27,18 +27,17 @@ VariationBegin "off" Hide "cushion" VariationEnd
 AxisEnd
 )";
 
-/// The shape of the sheet, and where each of its frames lies.
-struct Sheet {
-  int columns, rows;
-  std::vector<int> places;
-};
-
-Sheet sheet(int frames, const std::string& axes, const std::vector<int>& chosen = {}) {
+SceneDescription scene_of(int frames, const std::string& axes) {
   Diagnostics diagnostics;
-  const SceneDescription scene = parse_text(
+  SceneDescription scene = parse_text(
       "scene.dsc", "Frames " + std::to_string(frames) + " WorldBegin DynamicBegin \"cushion\" DynamicEnd\n" + axes, {},
       diagnostics);
   diagnostics.throw_if_errors();
+  return scene;
+}
+
+/// A job that renders the chosen frames, or all. The scene must outlive it.
+Job job_of(const SceneDescription& scene, const std::vector<int>& chosen = {}) {
   Job job;
   job.description = &scene;
   for (const int index : chosen) job.frames.emplace_back(index);
@@ -46,6 +45,18 @@ Sheet sheet(int frames, const std::string& axes, const std::vector<int>& chosen 
     job.frames.resize(static_cast<std::size_t>(scene.frames.count()));
     std::iota(job.frames.begin(), job.frames.end(), FileFrame(0));
   }
+  return job;
+}
+
+/// The shape of the sheet, and where each of its frames lies.
+struct Sheet {
+  int columns, rows;
+  std::vector<int> places;
+};
+
+Sheet sheet(int frames, const std::string& axes, const std::vector<int>& chosen = {}) {
+  const SceneDescription scene = scene_of(frames, axes);
+  const Job job = job_of(scene, chosen);
   const SheetPlaces places(job);
   const SheetLayout layout = places.layout(64, 48);
   Sheet result{layout.columns, layout.lines, {}};
@@ -84,15 +95,8 @@ struct Pages {
 };
 
 Pages suited(int frames, const std::string& axes, int width, int height, const SheetStyle& style = {}) {
-  Diagnostics diagnostics;
-  const SceneDescription scene = parse_text(
-      "scene.dsc", "Frames " + std::to_string(frames) + " WorldBegin DynamicBegin \"cushion\" DynamicEnd\n" + axes, {},
-      diagnostics);
-  diagnostics.throw_if_errors();
-  Job job;
-  job.description = &scene;
-  job.frames.resize(static_cast<std::size_t>(scene.frames.count()));
-  std::iota(job.frames.begin(), job.frames.end(), FileFrame(0));
+  const SceneDescription scene = scene_of(frames, axes);
+  const Job job = job_of(scene);
   const SheetPlaces places = SheetPlaces::suited(job, width, height, style);
   Pages pages{places.layout(width, height, style), {}};
   for (const FileFrame frame : job.frames) pages.places.push_back(places.of(frame));
