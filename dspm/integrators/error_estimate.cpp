@@ -113,7 +113,8 @@ float around(std::span<const float> peaks, int columns, int part) {
     for (int i = std::max(x - 1, 0); i <= std::min(x + 1, columns - 1); ++i)
       brightest.push_back(peaks[static_cast<std::size_t>(j * columns + i)]);
   const std::size_t second = std::min<std::size_t>(1, brightest.size() - 1);
-  std::nth_element(brightest.begin(), brightest.begin() + static_cast<std::ptrdiff_t>(second), brightest.end(), std::greater<>());
+  std::nth_element(brightest.begin(), brightest.begin() + static_cast<std::ptrdiff_t>(second), brightest.end(),
+                   std::greater<>());
   return brightest[second];
 }
 

@@ -16,8 +16,6 @@ namespace {
 using Kind = TransformOp::Kind;
 using Ops = std::vector<TransformOp>;
 
-constexpr Matrix4 kZero{{{{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}}}};
-
 Matrix4 product(const Ops& ops) {
   Matrix4 r;
   for (const TransformOp& op : ops) r = r * op.matrix();
@@ -75,7 +73,7 @@ Matrix4 power(Matrix4 base, std::uint64_t exponent) {
 /// Goes on from `last` as often as from `first` to it.
 TransformOp carried_on(TransformOp op, const TransformOp& first, const TransformOp& last, std::uint64_t cycles) {
   if (op.kind == Kind::matrix)
-    return matrix_op(power(last.matrix() * first.matrix().inverse().value_or(kZero), cycles) * op.matrix());
+    return matrix_op(power(last.matrix() * first.matrix().inverse().value_or(kZeroMatrix), cycles) * op.matrix());
   for (std::size_t i = 0; i < op.arguments.size(); ++i)
     op.arguments[i] += static_cast<double>(cycles) * (last.arguments[i] - first.arguments[i]);
   return op;
@@ -108,9 +106,9 @@ class NamedPoints {
   std::map<const NamedPlace*, Matrix4> known_;
 };
 
-std::size_t argument_count(Kind kind) { return quantities(kind).back().first + quantities(kind).back().count; }
-
 }  // namespace
+
+std::size_t argument_count(Kind kind) { return quantities(kind).back().first + quantities(kind).back().count; }
 
 TransformOp matrix_op(const Matrix4& matrix) {
   TransformOp op{Kind::matrix};
@@ -130,13 +128,14 @@ Matrix4 TransformOp::matrix() const {
     case Kind::translate: return Matrix4::translate(v[0], v[1], v[2]);
     case Kind::rotate: {
       const double length2 = v[1] * v[1] + v[2] * v[2] + v[3] * v[3];
-      return length2 > 0 && std::isfinite(length2) ? Matrix4::rotate(v[0], v[1], v[2], v[3]) : kZero;
+      return length2 > 0 && std::isfinite(length2) ? Matrix4::rotate(v[0], v[1], v[2], v[3]) : kZeroMatrix;
     }
     case Kind::scale: return Matrix4::scale(v[0], v[1], v[2]);
     case Kind::look_at: {
       if (std::any_of(places.begin(), places.end(), [](const auto& p) { return p && !p->world_from_place; })) return {};
-      const Matrix4 view = Matrix4::look_at({v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}).value_or(kZero);
-      return places_things ? view.inverse().value_or(kZero) : view;
+      const Matrix4 view =
+          Matrix4::look_at({v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}).value_or(kZeroMatrix);
+      return places_things ? view.inverse().value_or(kZeroMatrix) : view;
     }
     case Kind::matrix: break;
   }
@@ -215,7 +214,7 @@ Matrix4 KeyedTransform::at_by_arguments(const Place& place, Moment moment, Matri
       op = carried_on(op, op_of(0), op_of(keys_.size() - 1), place.cycles);
     const Matrix4 matrix = op.matrix();
     r = is_backward ? matrix * r : r * matrix;
-    if (is_aimed_) from_world = (is_backward ? matrix : matrix.inverse().value_or(kZero)) * from_world;
+    if (is_aimed_) from_world = (is_backward ? matrix : matrix.inverse().value_or(kZeroMatrix)) * from_world;
   }
   return r;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -38,6 +39,9 @@ struct TransformOp {
   /// All zeros if the arguments describe no transform (a zero axis, a view without direction).
   Matrix4 matrix() const;
 };
+
+/// Returns how many arguments a directive of that kind has.
+std::size_t argument_count(TransformOp::Kind kind);
 
 enum class Ease { linear, smooth, step, cubic };
 enum class After { hold, repeat, offset };  // of the last key

@@ -18,15 +18,6 @@ namespace {
 constexpr int kMostKeyed = 32;  // nested; each shape inside has a motion with that many factors
 constexpr std::size_t kMostAimedKeys = 1000;
 
-std::size_t argument_count(const TransformOp& op) {
-  switch (op.kind) {
-    case TransformOp::Kind::rotate: return 4;
-    case TransformOp::Kind::look_at: return 9;
-    case TransformOp::Kind::matrix: return 16;
-    default: return 3;
-  }
-}
-
 bool has_matrix(const std::vector<TransformOp>& ops) {
   return std::any_of(ops.begin(), ops.end(),
                      [](const TransformOp& op) { return op.kind == TransformOp::Kind::matrix; });
@@ -115,7 +106,7 @@ void KeyframeGroup::check_tangents(const KeyedTransform& keyed, Diagnostics& dia
     const Key& key = keys_[i];
     if (key.tangent_in.empty() && key.tangent_out.empty()) continue;
     std::size_t count = 0;
-    for (const TransformOp& op : key.ops) count += argument_count(op);
+    for (const TransformOp& op : key.ops) count += argument_count(op.kind);
     const auto fits = [&](const std::vector<double>& tangent) { return tangent.empty() || tangent.size() == count; };
     const bool arrives = i > 0 && keyed.ease(i - 1) == Ease::cubic,
                leaves = i + 1 < keys_.size() && keyed.ease(i) == Ease::cubic;

@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "dspm/math/vanishing.h"
+
 namespace dspm {
-namespace {
-
-constexpr Matrix4 kZero{{{{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}}}};
-
-}  // namespace
 
 void Motion::multiply(const Matrix4& matrix) {
   if (factors_.empty() || factors_.back().keyed)
@@ -38,9 +35,10 @@ Matrix4 Motion::keyed_at(std::size_t factor, const Matrix4& before, Moment momen
   const bool inverted = factors_[factor].inverted;
   Matrix4 from_world;
   if (keyed.is_aimed())
-    from_world = keyed.places_things() != inverted ? before.inverse().value_or(kZero) : product(factor + 1, {}, moment);
+    from_world =
+        keyed.places_things() != inverted ? before.inverse().value_or(kZeroMatrix) : product(factor + 1, {}, moment);
   const Matrix4 matrix = keyed.at(moment, from_world);
-  return inverted ? matrix.inverse().value_or(kZero) : matrix;
+  return inverted ? matrix.inverse().value_or(kZeroMatrix) : matrix;
 }
 
 bool Motion::is_keyed() const { return keyed_count() > 0; }
@@ -72,7 +70,7 @@ Motion Motion::inverse() const {
   Motion result;
   for (auto factor = factors_.rbegin(); factor != factors_.rend(); ++factor) {
     if (factor->keyed) result.factors_.push_back({Matrix4{}, factor->keyed, !factor->inverted});
-    result.multiply(factor->fixed.inverse().value_or(kZero));
+    result.multiply(factor->fixed.inverse().value_or(kZeroMatrix));
   }
   return result;
 }

@@ -5,6 +5,8 @@
 
 namespace dspm {
 
+inline constexpr Matrix4 kZeroMatrix{{{{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}}}};
+
 /// Returns whether the matrix makes a point of everything: a scale of 0, by which exporters hide things. Keys that go
 /// from a scale to its opposite pass through it, up to rounding.
 inline bool vanishes(const Matrix4& matrix) {

@@ -8,6 +8,7 @@
 
 #include "dspm/math/frames.h"
 #include "dspm/params/numbered_files.h"
+#include "dspm/params/only_text.h"
 #include "dspm/params/params.h"
 
 namespace dspm {
@@ -40,10 +41,10 @@ std::optional<NumberField> number_field(std::string_view text) {
 }
 
 const std::string* numbered_file_name(const Param& param) {
-  const auto* texts = std::get_if<std::vector<std::string>>(&param.values);
-  const bool numbered = param.type == ParamType::text && param.name == "filename" && texts && texts->size() == 1 &&
-                        number_field(texts->front());
-  return numbered ? &texts->front() : nullptr;
+  const std::string* const name = only_text(&param);
+  const bool numbered =
+      param.type == ParamType::text && param.name == "filename" && name != nullptr && number_field(*name);
+  return numbered ? name : nullptr;
 }
 
 std::string with_number(const std::string& name, std::int64_t number) {

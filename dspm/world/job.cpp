@@ -13,6 +13,7 @@
 #include "dspm/math/frames.h"
 #include "dspm/math/vec.h"
 #include "dspm/params/flag.h"
+#include "dspm/params/only_text.h"
 #include "dspm/params/params.h"
 #include "dspm/scene/scene.h"
 #include "dspm/shapes/shadow_catcher.h"
@@ -186,9 +187,8 @@ void add_own_integrators(const SceneDescription& description, const Choices& cho
 /// Returns the noise that the command line asks for, else the integrator, else the sampler.
 std::string noise_of(const Job& job, const SamplerSettings& sampler, const Choices& choices) {
   if (!choices.noise.empty()) return choices.noise;
-  const Param* const own = job.params.find("noise");
-  const auto* values = own != nullptr ? std::get_if<std::vector<std::string>>(&own->values) : nullptr;
-  return values != nullptr && values->size() == 1 ? values->front() : sampler.noise;
+  const std::string* const own = only_text(job.params.find("noise"));
+  return own != nullptr ? *own : sampler.noise;
 }
 
 /// Returns the settings of the scene's frames, which share them; null if they are the job's.

@@ -11,6 +11,7 @@
 #include "dspm/integrators/surface_outputs.h"
 #include "dspm/integrators/variance_output.h"
 #include "dspm/lights/light_group.h"
+#include "dspm/params/only_text.h"
 #include "dspm/params/params.h"
 #include "dspm/system/extension.h"
 
@@ -76,9 +77,7 @@ std::vector<std::string> with_denoiser_inputs(std::vector<std::string> outputs, 
 std::vector<std::string> light_group_outputs(const SceneDescription& description) {
   std::set<std::string> groups;
   const auto add = [&](const PluginUse& use) {
-    const Param* param = use.params.find(kGroupParam);
-    const auto* texts = param != nullptr ? std::get_if<std::vector<std::string>>(&param->values) : nullptr;
-    if (texts != nullptr && texts->size() == 1) groups.insert(texts->front());
+    if (const std::string* const group = only_text(use.params.find(kGroupParam))) groups.insert(*group);
   };
   for (const LightUse& use : description.lights) add(use);
   for (const AreaLightUse& use : description.area_lights) add(use);

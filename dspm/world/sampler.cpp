@@ -4,12 +4,11 @@
 
 #include <algorithm>
 
+#include "dspm/integrators/random_params.h"
 #include "dspm/params/errors.h"
 
 namespace dspm {
 namespace {
-
-const std::vector<std::string> kNoises = {"frozen", "perframe"};
 
 /// pbrt's samplers have different parameters; here each accepts all, so a scene may change its sampler alone.
 SamplerSettings read(ParamReader& reader, const std::string& type) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "dspm/params/only_text.h"
+
 namespace dspm::v3 {
 namespace {
 
@@ -59,9 +61,8 @@ struct Edit::Word {
 
 std::string Edit::type() const {
   if (!is_named(directive_)) return directive_.words.back().text;
-  const Param* type = find("type");
-  const auto* texts = type != nullptr ? std::get_if<std::vector<std::string>>(&type->values) : nullptr;
-  return texts != nullptr && texts->size() == 1 ? texts->front() : "";
+  const std::string* const type = only_text(find("type"));
+  return type != nullptr ? *type : "";
 }
 
 void Edit::set_type(std::string_view type) {

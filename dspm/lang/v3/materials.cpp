@@ -8,6 +8,7 @@
 #include "dspm/colour/rgb.h"
 #include "dspm/lang/v3/kinds.h"
 #include "dspm/lang/v3/roughness.h"
+#include "dspm/params/only_text.h"
 #include "dspm/params/params.h"
 
 namespace dspm::v3 {
@@ -229,9 +230,9 @@ void name_metals(Edit& edit) {
   constexpr std::string_view kMetals[] = {"Ag", "Al", "Au", "Cu", "CuZn", "MgO", "TiO2"};
   for (const std::string& part : {std::string("eta"), std::string("k")}) {
     const Param* param = edit.find(part);
-    const auto* texts = param != nullptr ? std::get_if<std::vector<std::string>>(&param->values) : nullptr;
-    if (texts == nullptr || texts->size() != 1 || param->type != ParamType::spectrum) continue;
-    const std::string file = std::filesystem::path(texts->front()).filename().string();
+    const std::string* const name = only_text(param);
+    if (name == nullptr || param->type != ParamType::spectrum) continue;
+    const std::string file = std::filesystem::path(*name).filename().string();
     for (const std::string_view metal : kMetals)
       if (file == fmt::format("{}.{}.spd", metal, part))
         edit.set(ParamType::spectrum, part, std::vector{fmt::format("metal-{}-{}", metal, part)});
