@@ -37,7 +37,8 @@ set(toolkit_headers
   integrators/balance.h integrators/body.h integrators/branching_path.h integrators/camera_path.h integrators/direct_balance.h
   integrators/direct_light.h
   integrators/estimator.h
-  integrators/emission_guide.h integrators/file_sample.h integrators/final_gather.h integrators/gather.h
+  integrators/emission_guide.h integrators/emission_of_file.h integrators/file_sample.h integrators/final_gather.h
+  integrators/gather.h
   integrators/gathered_flux.h
   integrators/hit_point.h integrators/joint_path.h integrators/kernel_size.h integrators/learn_direct.h
   integrators/learn_emission.h integrators/light_value.h

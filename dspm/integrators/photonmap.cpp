@@ -5,6 +5,7 @@
 // by shadow rays, caustics from their map, and the rest from the global map, by default at the hit point itself, or
 // through final gather rays, which scatter at most four times off smooth lobes. Biased: the maps' blur remains.
 // Parameters: see make_photonmap below.
+#include "dspm/integrators/emission_of_file.h"
 #include "dspm/integrators/photonmap.h"
 
 #include <fmt/format.h>
@@ -12,7 +13,6 @@
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/final_gather.h"
 #include "dspm/integrators/hidden_light.h"
-#include "dspm/integrators/learn_emission.h"
 #include "dspm/integrators/max_depth.h"
 #include "dspm/integrators/memory_needs.h"
 #include "dspm/integrators/random_params.h"

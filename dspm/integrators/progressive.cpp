@@ -1,3 +1,4 @@
+#include "dspm/integrators/emission_of_file.h"
 #include "dspm/integrators/progressive.h"
 
 #include <cmath>
@@ -10,7 +11,6 @@
 #include "dspm/integrators/found_photons.h"
 #include "dspm/integrators/group_sums.h"
 #include "dspm/integrators/hidden_light.h"
-#include "dspm/integrators/learn_emission.h"
 #include "dspm/integrators/learn_indirect.h"
 #include "dspm/integrators/photon_batches.h"
 #include "dspm/integrators/possible_state.h"

@@ -1,8 +1,8 @@
+#include "dspm/integrators/emission_of_file.h"
 #include "dspm/integrators/progressive_settings.h"
 
 #include <fmt/format.h>
 
-#include "dspm/integrators/learn_emission.h"
 #include "dspm/integrators/learn_indirect.h"
 #include "dspm/integrators/max_depth.h"
 #include "dspm/integrators/pixel_count.h"

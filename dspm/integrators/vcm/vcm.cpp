@@ -18,6 +18,7 @@
 //   lighttracing  light paths' vertices with the camera   true
 //   emission      where light paths start                 guided; or power
 //   sharepaths    frames that scatter alike share paths   true
+#include "dspm/integrators/emission_of_file.h"
 #include "dspm/integrators/vcm/vcm.h"
 
 #include <fmt/format.h>
@@ -28,7 +29,6 @@
 #include "dspm/integrators/estimator.h"
 #include "dspm/integrators/file_sample.h"
 #include "dspm/integrators/hit_point.h"
-#include "dspm/integrators/learn_emission.h"
 #include "dspm/integrators/max_depth.h"
 #include "dspm/integrators/memory_needs.h"
 #include "dspm/integrators/pilot_pixels.h"
