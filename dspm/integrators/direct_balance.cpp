@@ -61,7 +61,8 @@ DirectBalance::Densities DirectBalance::densities(const SceneLight& light, const
     d.samples *= sample_pdf_w;
     if (scatters_) d.scattered = photons_a_ray_ * cosine_hemisphere_pdf_w(cosine);
   }
-  if (photons_times_area_ == 0) return d;
+  // Photons of such a light would only blur its shadows, and leak below walls that are thinner than a gather's radius.
+  if (photons_times_area_ == 0 || is_told_by_a_ray(scene_, light)) return d;
   const Light& drawn = drawn_as(light, state);
   const EmissionPdf pdf = drawn.pdf_emit(start.ray, start.normal, start.primitive);
   d.photons = photons_times_area_ *

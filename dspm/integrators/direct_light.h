@@ -39,6 +39,12 @@ inline float light_samples(const Scene& scene, const SceneLight& light) {
   return kSamplesOfMany / 2 * (light.probability + 1 / static_cast<float>(scene.lights.size()));
 }
 
+/// Returns whether a shadow ray from each vertex tells all about the light there: nothing but whether it is seen is
+/// open.
+inline bool is_told_by_a_ray(const Scene& scene, const SceneLight& light) {
+  return light.is_delta && light.probability > 0 && scene.lights.size() <= kFewLights;
+}
+
 /// Calls fn(const SceneLight&) for each sample to be taken. One number u in [0, 1) spaces them all: systematic
 /// sampling.
 template <class Fn>
@@ -134,18 +140,26 @@ inline void prefetch_direct_light(const Scene& scene, const PathState& path) {
         path.frames, [&](FrameSet, const Light& light) { light.prefetch(u); });
 }
 
+/// The lights that is_told_by_a_ray() is true for: one shadow ray each, or a chance to be the one that is chosen.
+enum class DeltaLights { each, chosen };
+
 /// Samples lights with the path's random numbers for its next bounce, traces a shadow ray to one of the samples and
 /// calls fn(FrameSet, const Rgb&, giver) with the radiance that the vertex scatters back along the path, for those of
 /// `frames` in which nothing is in between. `scattered(const LightSample&)` returns f, weighted if other ways find the
 /// same light. Radiance that is negative or not finite is passed on; giver() then returns its source.
 template <class ScatteringFunction, class Fn>
 void sample_direct_light(const Scene& scene, const PathState& path, const Vertex& vertex, FrameSet frames,
-                         PathCounts& counts, ScatteringFunction&& scattered, Fn&& fn) {
+                         PathCounts& counts, ScatteringFunction&& scattered, Fn&& fn,
+                         DeltaLights delta_lights = DeltaLights::chosen) {
   const int bounce = path.bounces + 1;
   const Vec2 u = path.random.pair(bounce, kLightPoint);
   const SurfacePoint& point = vertex.point;
   FrameArray<ChosenSample> choosing;
   choosing.add({frames, path.random.pair(bounce, kLightDirection).x});
+  const auto for_each_lit = [&](const Illumination& lit, FrameSet of, auto&& see) {
+    ++counts.shadow_rays;
+    for_each_open(scene, shadow_ray(point, lit), vertex.inside_beyond(path.inside, lit.wi), of, see);
+  };
   for_each_light_sample(scene, path.random.number(bounce, kLightChoice), [&](const SceneLight& scene_light) {
     const float samples = light_samples(scene, scene_light);
     scene_light.states.for_each(frames, [&](FrameSet common, const Light& light) {
@@ -158,7 +172,13 @@ void sample_direct_light(const Scene& scene, const PathState& path, const Vertex
       if (!is_light(radiance)) {
         const SceneElement giver = is_light(f) ? light_element(scene, scene_light) : vertex.material_element();
         fn(common, radiance, [&] { return giver; });
-      } else if (max_component(radiance) > 0) {
+      } else if (!(max_component(radiance) > 0)) {
+        return;
+      } else if (delta_lights == DeltaLights::each && is_told_by_a_ray(scene, scene_light)) {
+        for_each_lit(*lit, common, [&](FrameSet open, const Rgb& transmittance) {
+          fn(open, radiance * transmittance, [&] { return light_element(scene, scene_light); });
+        });
+      } else {
         offer_to(common, choosing, [&](ChosenSample& chosen) { chosen.offer(scene_light, light, *lit, radiance); });
       }
     });
@@ -173,9 +193,7 @@ void sample_direct_light(const Scene& scene, const PathState& path, const Vertex
     };
     for (const ChosenSample& chosen : choosing)
       if (is_same(chosen)) together |= chosen.frames;
-    ++counts.shadow_rays;
-    const Inside inside = vertex.inside_beyond(path.inside, first.lit.wi);
-    for_each_open(scene, shadow_ray(point, first.lit), inside, together, [&](FrameSet open, const Rgb& transmittance) {
+    for_each_lit(first.lit, together, [&](FrameSet open, const Rgb& transmittance) {
       for (const ChosenSample& chosen : choosing) {
         const FrameSet lit = chosen.frames & open;
         if (!is_same(chosen) || lit.empty()) continue;

@@ -18,7 +18,7 @@ class HitPointLight {
   HitPointLight(const Scene& scene, const HitPointSettings& settings, HitPointWriter& out)
       : scene_(scene), settings_(settings), out_(out) {}
 
-  /// Adds direct light by one shadow ray. Rough lobes do not wait until they are chosen, and share the ray with glossy
+  /// Adds direct light by one shadow ray, and by another for each light that a ray tells all about. Rough lobes do not wait until they are chosen, and share the ray with glossy
   /// ones: highlights of a coat need no path that chooses the coat. If photons bring rough lobes their light, glossy
   /// ones get a ray once they are chosen. Once the path has left a hit point, photons there bring what glossy lobes
   /// scatter.
@@ -39,7 +39,8 @@ class HitPointLight {
     const float factor = at_once ? 1 : 1 / choice.chance;
     sample_direct_light(
         scene_, path, vertex, path.frames, out_.paths(), scattered,
-        [&](FrameSet frames, const Rgb& radiance, auto&& giver) { out_.see(path, frames, radiance * factor, giver); });
+        [&](FrameSet frames, const Rgb& radiance, auto&& giver) { out_.see(path, frames, radiance * factor, giver); },
+        at_once ? DeltaLights::each : DeltaLights::chosen);
   }
 
  private:

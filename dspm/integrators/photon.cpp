@@ -122,7 +122,7 @@ class PhotonTracer {
   }
 
   void arrived(const PhotonPath& path, const Vertex& vertex) {
-    if (path.bounces == 0 && vertex.hit.t < started_[static_cast<std::size_t>(path.start)].must_reach)
+    if (path.bounces == 0 && vertex.hit.t < started(path).must_reach)
       return balance(path, vertex.frames, &EnergyBalance::absorbed);
     if (vertex.differs()) return scatter_together(path, vertex);
     Stored stored = stored_on_mixes(path, vertex);
@@ -167,13 +167,17 @@ class PhotonTracer {
     if (is_hidden_on(path, vertex, bsdf)) stored.hidden |= frames;
   }
   void store(const PhotonPath& path, const Vertex& vertex, const Stored& stored) {
-    if (!stored.gathering.empty() && (path.kind & settings_.kinds) != 0)
-      store(out_.photons, path, vertex, stored.gathering);
+    if (!stored.gathering.empty() && is_wanted(path)) store(out_.photons, path, vertex, stored.gathering);
     if (stored.hidden.empty()) return;
     if (vertex.point.turns)
       store_on_curve(path, vertex, stored.hidden);
     else
       store(out_.hidden, path, vertex, stored.hidden);
+  }
+  bool is_wanted(const PhotonPath& path) const {
+    if (path.kind == kDirectPhotons && settings_.rays_tell && is_told_by_a_ray(scene_, started(path).light))
+      return false;
+    return (path.kind & settings_.kinds) != 0;
   }
   /// Excludes light straight from the light source, which shadow rays find.
   bool is_hidden_on(const PhotonPath& path, const Vertex& vertex, const Bsdf& bsdf) const {
@@ -204,8 +208,7 @@ class PhotonTracer {
   Photon photon(const PhotonPath& path, const Vertex& vertex, Rgb flux, FrameSet frames) {
     const StrandList strands = out_.strands.folded(path.strands, frames, flux);
     const ShapeFace face(vertex.hit.shape, vertex.point.ng, vertex.wo);
-    return {
-        vertex.point.p, face, vertex.wo, flux, frames, strands, started_[static_cast<std::size_t>(path.start)].index};
+    return {vertex.point.p, face, vertex.wo, flux, frames, strands, started(path).index};
   }
 
   void count(const Photon& stored) {
@@ -214,7 +217,7 @@ class PhotonTracer {
   }
 
   float weight_of_direct(const PhotonPath& path, const SurfacePoint& point) const {
-    const Started& from = started_[static_cast<std::size_t>(path.start)];
+    const Started& from = started(path);
     return settings_.direct->weight_of_photon(from.light, from.state, from.start, {point.p, point.ng});
   }
 
@@ -281,6 +284,7 @@ class PhotonTracer {
     float must_reach;
     int index;  // of the light
   };
+  const Started& started(const PhotonPath& path) const { return started_[static_cast<std::size_t>(path.start)]; }
   std::vector<Started> started_;  // of the path that is traced
   PhotonTrace& out_;
   PhotonEnergy energy_;

@@ -49,6 +49,7 @@ struct PhotonSettings {
   int max_depth = 8;             // a photon is stored at its first max_depth hits
   float least_alpha = 0.25f;     // lobes smoother than this do not gather: no photon is stored just for them
   unsigned kinds = kAllPhotons;  // to be stored
+  bool rays_tell = false;        // no direct photons of lights that is_told_by_a_ray() are stored
   bool hidden = false;           // also store hidden photons
   bool share_paths = false;      // frames that differ only in appearance or light share paths; else they part
   FrameSet frames = FrameSet::first(kMaxFrames);  // in which paths are traced

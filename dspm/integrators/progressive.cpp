@@ -177,7 +177,7 @@ class Progressive final : public Integrator {
     const bool by_photons = settings_.hit_point.photons_as_well;
     const LearnedDirect& learned = learned_->direct;
     if (by_photons && !learned.by_rays) {
-      settings_.hit_point.sample_direct = false;
+      settings_.hit_point.sample_direct = settings_.photon.rays_tell = false;
       return;
     }
     direct_.emplace(scene, DirectWays{by_photons ? settings_.photons : 0, settings_.photon.guides,

@@ -63,7 +63,7 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
   s.photon.kinds = direct == "sampled" ? kCausticPhotons | kDiffusePhotons : kAllPhotons;
   s.photon.share_paths = s.hit_point.share_paths = share_paths;
   s.hit_point.sample_direct = direct != "photons";
-  s.hit_point.photons_as_well = direct == "both";
+  s.hit_point.photons_as_well = s.photon.rays_tell = direct == "both";
   s.photon.hidden = true;
   s.may_go_on = indirect == "auto" && s.kz11 && direct != "photons";
   if (indirect == "paths") s.hit_point = going_on(s.hit_point), s.photon = without_diffuse(s.photon);

@@ -97,6 +97,12 @@ TEST(DirectBalance, WeightsAddUpToOne) {
   }
 }
 
+/// A lamp that is nearly a point.
+std::string lamp(const char* z) {
+  return std::string("AttributeBegin Translate .1 0 ") + z +
+         " Rotate 180 1 0 0 AreaLightSource \"diffuse\" Shape \"disk\" \"float radius\" .003 AttributeEnd\n";
+}
+
 LearnedDirect learned(const std::string& text, int photons) {
   const TestScene test(text);
   const auto scene = test.scene({FileFrame(0)});
@@ -107,21 +113,25 @@ LearnedDirect learned(const std::string& text, int photons) {
   return learn_direct(*scene, render, settings, photons, EmissionGuides(), bytes);
 }
 
-// One lamp that is nearly a point, and nothing in its way: a shadow ray finds all of its light.
+// With nothing in its way, a shadow ray finds all of its light.
 TEST(LearnedDirect, OneLampIsFoundByRays) {
-  const std::string lamp = room("LightSource \"point\" \"point3 from\" [0 0 1]\n");
-  EXPECT_GT(learned(lamp, 1000).photons_a_ray, 20);
-  EXPECT_TRUE(learned(lamp, 1000).by_rays);
-  EXPECT_FALSE(learned(lamp, 10'000'000).by_rays);
+  const std::string text = room(lamp("1").c_str());
+  EXPECT_GT(learned(text, 1000).photons_a_ray, 20);
+  EXPECT_TRUE(learned(text, 1000).by_rays);
+  EXPECT_FALSE(learned(text, 10'000'000).by_rays);
+}
+
+// However many photons there are, they would only blur its shadows.
+TEST(LearnedDirect, APointIsLeftToRays) {
+  EXPECT_TRUE(learned(room("LightSource \"point\" \"point3 from\" [0 0 1]\n"), 10'000'000).by_rays);
 }
 
 // Of two equal lamps, one is hidden, and every other ray goes to it: of two samples that are not both 0, a third are
 // both 2, and the others are 2 and 0, with a relative variance of 2.
 TEST(LearnedDirect, LampsBehindAWallTakeMoreRays) {
-  const std::string lamps = R"(
-LightSource "point" "point3 from" [0 0 1] LightSource "point" "point3 from" [0 0 1.001]
-Translate 0 0 1.0005 Material "diffuse" Shape "disk" "float radius" 50
-Translate 0 0 -1.0005
+  const std::string lamps = lamp("1") + lamp("1.02") + R"(
+Translate 0 0 1.01 Material "diffuse" Shape "disk" "float radius" 50
+Translate 0 0 -1.01
 )";
   EXPECT_NEAR(learned(room(lamps.c_str()), 1000).photons_a_ray, 0.75, 0.1);
 }
