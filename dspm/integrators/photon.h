@@ -49,12 +49,12 @@ struct PhotonSettings {
   int max_depth = 8;             // a photon is stored at its first max_depth hits
   float least_alpha = 0.25f;     // lobes smoother than this do not gather: no photon is stored just for them
   unsigned kinds = kAllPhotons;  // to be stored
-  bool rays_tell = false;        // no direct photons of lights that is_told_by_a_ray() are stored
   bool hidden = false;           // also store hidden photons
   bool share_paths = false;      // frames that differ only in appearance or light share paths; else they part
   FrameSet frames = FrameSet::first(kMaxFrames);  // in which paths are traced
   const EmissionGuides* guides = nullptr;
   const DirectBalance* direct = nullptr;  // weights photons that come straight from a light; null: 1
+  bool rays_tell = false;                 // no direct photons of lights that is_told_by_a_ray() are stored
   bool keep_ends = false;                 // the traces say which photons are of which path
   std::int64_t paths_per_trace = 2048;    // one thread traces them; fewer than these are better shared out
   bool are_light_paths = false;           // reports call them so: what they bring needs no hit points that merge it

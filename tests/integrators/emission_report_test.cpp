@@ -56,7 +56,8 @@ const EmissionReport::OfLight& of(const EmissionReport& report, const std::strin
   throw std::runtime_error("no light " + name);
 }
 
-constexpr const char* kByPower = R"("dsppm" "string emission" "power")";
+constexpr const char* kByPower = R"("dsppm" "string direct" "photons" "string emission" "power")";
+constexpr const char* kGuided = R"("dsppm" "string direct" "photons")";
 
 // "seen" shines where the camera looks, "lost" beyond it. Counts are binomial.
 TEST(EmissionReport, CountsWhatIsFound) {
@@ -84,7 +85,7 @@ TEST(EmissionReport, TellsWhatPhotonsMultiply) {
 
 // A quarter of the paths starts as without a guide; of "lost", nothing is learned.
 TEST(EmissionReport, TellsWhatTheGuideDoes) {
-  const auto all = reports(floor_under(beam("seen", 0, 1) + beam("lost", 9, 3), "\"dsppm\""));
+  const auto all = reports(floor_under(beam("seen", 0, 1) + beam("lost", 9, 3), kGuided));
   const EmissionReport& report = all.front();
   EXPECT_EQ(report.start, EmissionReport::Start::guided);
   EXPECT_GE(report.rounds, 7u);
@@ -97,7 +98,7 @@ TEST(EmissionReport, TellsWhatTheGuideDoes) {
 
 // All is found: there is nothing to gain.
 TEST(EmissionReport, TellsWhyThereIsNoGuide) {
-  const auto all = reports(floor_under(beam("a", 0, 1) + beam("b", 0.1, 1), "\"dsppm\""));
+  const auto all = reports(floor_under(beam("a", 0, 1) + beam("b", 0.1, 1), kGuided));
   const EmissionReport& report = all.front();
   EXPECT_EQ(report.start, EmissionReport::Start::guide_would_not_pay);
   EXPECT_EQ(report.found, report.paths);
@@ -111,7 +112,7 @@ TEST(EmissionReport, TellsWhyThereIsNoGuide) {
 TEST(EmissionReport, PhotonsActOnTheGuide) {
   const auto shares = [](const std::string& words) {
     const auto all = reports(floor_under(beam("a", 0, 1, words) + beam("b", 0, 4) + beam("lost", 9, 15),
-                                         R"("dsppm" "integer photons" 300000)"));
+                                         R"("dsppm" "string direct" "photons" "integer photons" 300000)"));
     EXPECT_EQ(all.front().start, EmissionReport::Start::guided);
     return std::pair{of(all.front(), "a").share, of(all.front(), "b").share};
   };
