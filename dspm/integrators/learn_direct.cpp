@@ -11,7 +11,6 @@
 namespace dspm {
 namespace {
 
-constexpr double kPilotPixels = 1024;
 constexpr std::uint64_t kFirstIteration = 2 * kPilotIteration;  // random numbers of its own
 constexpr float kLater = 0.55f;                                 // of the initial radius: that after 64 iterations
 constexpr double kLeastByRays = 0.3;     // of the direct light by then, or photons bring it all if no guide was needed
@@ -20,7 +19,7 @@ constexpr double kLeastVariance = 0.02;  // of a ray; of two samples it is at mo
 class Pilot {
  public:
   Pilot(const Scene& sample, const RenderSettings& render, const HitPointSettings& settings)
-      : scene_(sample), pixels_(render, kPilotPixels), settings_(settings) {
+      : scene_(sample), pixels_(render, few_pixels(render)), settings_(settings) {
     settings_.share_paths = true, settings_.frames = few_frames(sample);
   }
 

@@ -14,7 +14,6 @@
 namespace dspm {
 namespace {
 
-constexpr double kPilotPixels = 1024;
 constexpr std::uint64_t kFirstIteration = 3 * kPilotIteration;           // random numbers of its own
 constexpr std::int64_t kLeastPhotons = 1 << 11, kMostPhotons = 1 << 13;  // of each kind: a tenth of an iteration
 constexpr std::int64_t kPathsPerTrace = 1 << 5;
@@ -36,7 +35,7 @@ class Pilot {
   Pilot(const Scene& scene, const RenderSettings& render, const PhotonSettings& photon,
         const HitPointSettings& hit_point, std::int64_t photons, const EmissionGuides& guides)
       : scene_(scene),
-        pixels_(render, kPilotPixels),
+        pixels_(render, few_pixels(render)),
         rays_(scene, {}),
         photon_(photon),
         hit_point_(hit_point),

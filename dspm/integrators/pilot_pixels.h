@@ -25,6 +25,12 @@ inline FrameSet few_frames(const Scene& sample) {
   return few;
 }
 
+/// As many pixels as what is decided for all of them alike needs, in proportion to what a small picture costs.
+inline double few_pixels(const RenderSettings& of) {
+  constexpr double kLeast = 256, kMost = 1024, kPixelsAPilot = 16;
+  return std::clamp(static_cast<double>(of.width) * of.height / kPixelsAPilot, kLeast, kMost);
+}
+
 struct PilotPixels {
   RenderSettings render;  // of the whole image
   int stride;             // between the pixels
