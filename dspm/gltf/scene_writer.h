@@ -62,6 +62,7 @@ class SceneWriter {
 
   std::string picture_name(std::size_t image);
   std::string mesh_file(std::size_t node, std::size_t primitive, bool changes);
+  std::string extent_of(std::size_t node, const Value& primitive) const;
   bool changes_shape(std::size_t node) const;
   std::string world_name() const { return document_->path().stem().string() + ": world"; }
   std::string object_of(std::size_t mesh, std::size_t node);

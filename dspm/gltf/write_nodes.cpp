@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "dspm/gltf/accessor.h"
+#include "dspm/gltf/extent.h"
 #include "dspm/gltf/lights.h"
 #include "dspm/gltf/primitive.h"
 #include "dspm/gltf/scene_writer.h"
@@ -183,8 +184,22 @@ void SceneWriter::write_shapes(std::size_t node, bool changes, int depth, const 
   for (std::size_t i = 0; i < primitives.size(); ++i) {
     if (!has_surface(primitives[i])) continue;
     line(depth, fmt::format("NamedMaterial {}", in_quotes(uses_.name_of(primitives[i]))));
-    line(depth, fmt::format("Shape \"plymesh\" \"string filename\" {}", in_quotes(mesh_file(node, i, changes)) + own));
+    line(depth, fmt::format("Shape \"plymesh\" \"string filename\" {}{}{}", in_quotes(mesh_file(node, i, changes)), own,
+                            changes ? extent_of(node, primitives[i]) : ""));
   }
+}
+
+/// Returns the parameter for where a mesh is in all frames, by which those of frames that are not rendered are not made.
+std::string SceneWriter::extent_of(std::size_t node, const Value& primitive) const {
+  const Document& document = *document_;
+  const PosedBoxes boxes(read_primitive(document, primitive));
+  const auto skin = document["nodes"][node]["skin"].index(document["skins"].size());
+  Bounds3 all;
+  for (int frame = 0; frame < motion_->frames; ++frame)
+    all.add(boxes.posed(motion_->poses->at(node, frame).weights,
+                        skin ? motion_->poses->skin(document, *skin, frame) : std::vector<Matrix4>()));
+  return fmt::format(" \"point3 extent\" [{} {} {}  {} {} {}]", all.low.x, all.low.y, all.low.z, all.high.x, all.high.y,
+                     all.high.z);
 }
 
 /// Returns the name of a mesh's file, with %04d for the frame's number if it changes.

@@ -99,6 +99,11 @@ void Geometry::share_kept(Source& source) const {
 
 void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances, Source& source) {
   const int errors = diagnostics_.error_count();
+  if (source.has_extent && (use.area_light >= 0 || looks_.emits(looks_.find(use.material)))) {
+    std::optional<Source> whole = make_source(use, diagnostics_, false);  // its power in all frames matters
+    if (!whole) return;
+    source = *std::move(whole);
+  }
   for (MadeShapes& made : source.made)
     for (SourceShape& each : made) each.shape->settle();
   share_kept(source);
@@ -146,7 +151,7 @@ void Geometry::warn_of_relief(const ShapeUse& use, const Source& source) {
 /// its frames alike if the scene asks for it.
 void Geometry::check(const ShapeUse& use, Source& source) {
   for (std::size_t p = 0; p < source.materials.size(); ++p) {
-    SourceShape& first = source.made.front()[p];
+    SourceShape& first = source.has_extent ? source.first[p] : source.made.front()[p];
     const TriangleMesh* mesh = first.shape->triangles();
     const int material = source.materials[p];
     if (!mesh || material < 0) continue;

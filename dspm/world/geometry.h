@@ -7,11 +7,13 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "dspm/lang/description.h"
 #include "dspm/math/frames.h"
+#include "dspm/params/params.h"
 #include "dspm/shapes/placed_shape.h"
 #include "dspm/world/alphas.h"
 #include "dspm/world/distinct_names.h"
@@ -33,6 +35,7 @@ struct WorldShape {
   int alpha = -1, alpha_state = 0;       // of Looks::number; -1: no holes
   bool nowhere = false;                  // a hole everywhere: no ray can meet it
   std::shared_ptr<const Cutout> cutout;  // of an emitter, whose light is made once for all frames
+  bool is_unread = false;                // a box stands for its mesh, see Geometry::read
 };
 
 /// The reason why a shape emits light: its AreaLightSource, or its material. Both are null if it does not.
@@ -56,6 +59,10 @@ class Geometry {
   Geometry(const SceneDescription& description, bool check_meshes, Looks& looks, KeptGeometry* kept,
            Diagnostics& diagnostics);
 
+  /// Reads the meshes of these frames that scenes say the extent of. Until then boxes stand for them, and bounds are
+  /// those of the boxes, whichever frames are read.
+  void read(std::span<const FileFrame> frames);
+
   const std::deque<WorldShape>& shapes() const { return shapes_; }  // addresses are stable
   const std::vector<Emitter>& emitters() const { return emitters_; }
   const Bounds3& bounds() const { return bounds_; }  // over the base of the file's frames
@@ -66,11 +73,24 @@ class Geometry {
   struct Source;
   struct Place;
   struct Placement;
+  /// A mesh that has an extent, in one state of its directive, and the shapes that it becomes.
+  struct Unread {
+    struct Use {
+      std::size_t shape;
+      Transform moved_by;
+    };
+    const ShapeUse* use;
+    ParamList params;
+    std::vector<Use> uses;
+  };
   class Joining;
   void refuse_unknown_objects();
   void find_bounds();
   void add_sources(const std::vector<ShapeUse>& uses, const std::vector<const ObjectUse*>& instances);
-  std::optional<Source> make_source(const ShapeUse& use, Diagnostics& diagnostics) const;
+  std::optional<Source> make_source(const ShapeUse& use, Diagnostics& diagnostics, bool by_extent = true) const;
+  void take_extent(const ShapeUse& use, Source& source, Diagnostics& diagnostics) const;
+  bool is_wanted(const Unread& mesh, std::span<const FileFrame> frames) const;
+  void put(const Unread& mesh, MadeShapes made);
   std::optional<Source> make_source(const ShapeUse& first, std::size_t begin, std::size_t end) const;
   void share_kept(Source& source) const;
   void add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances, Source& source);
@@ -95,6 +115,7 @@ class Geometry {
   bool check_meshes_;
   std::deque<std::vector<ShapeUse>> told_apart_;  // directives of runs; addresses are stable
   std::deque<WorldShape> shapes_;
+  std::vector<Unread> unread_;
   std::vector<Emitter> emitters_;
   std::deque<AreaLightUse> lights_of_materials_;  // addresses are stable
   Bounds3 bounds_;

@@ -10,6 +10,7 @@
 #include "dspm/shapes/triangle_mesh.h"
 #include "dspm/world/geometry_source.h"
 #include "dspm/world/likeness.h"
+#include "dspm/world/moved_mesh.h"
 #include "dspm/world/param_states.h"
 #include "dspm/world/placement_check.h"
 #include "dspm/world/texture_cutout.h"
@@ -41,13 +42,6 @@ std::string name_in_file(const ShapeUse& use) {
   const auto* texts = file != nullptr ? std::get_if<std::vector<std::string>>(&file->values) : nullptr;
   if (texts == nullptr || texts->empty()) return use.type;
   return std::filesystem::path(texts->front()).stem().string();
-}
-
-std::shared_ptr<const Shape> moved_to(const Transform& to_world, const std::shared_ptr<const Shape>& mesh,
-                                      KeptGeometry* kept) {
-  ContentKey what("moved");
-  what.add_bytes_of(to_world);
-  return derived<TriangleMesh>(kept, {mesh}, what, [&] { return mesh->triangles()->transformed(to_world); });
 }
 
 }  // namespace
@@ -165,14 +159,14 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
       const Place& place = made.states[p];
       const auto state = static_cast<std::size_t>(place.geometry);
       std::shared_ptr<const Shape> shape = source.geometry.shapes[state][i];
-      Transform to_world(matrices[static_cast<std::size_t>(place.matrix)]);
+      Transform to_world(matrices[static_cast<std::size_t>(place.matrix)]), moved_by;
       // A mesh that stays in one place is moved into world space; one that moves rigidly or is instanced is stored
       // once.
       if (alone && made.only[state] == place.matrix && shape->triangles()) {
         std::shared_ptr<const Shape>& moved = in_world[place.geometry];
         if (!moved && to_world.is_identity()) moved = shape;
-        if (!moved) moved = moved_to(to_world, shape, kept_);
-        shape = moved, to_world = Transform();
+        if (!moved) moved = moved_to(to_world, shape, source.has_extent ? nullptr : kept_);
+        shape = moved, moved_by = to_world, to_world = Transform();
       }
       WorldShape& world = shapes_.emplace_back();
       world.use = &use;
@@ -187,6 +181,13 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
       world.placed.cutout_key = placed_;
       world.dynamic_block = instance && use.dynamic_block < 0 ? instance->dynamic_block : use.dynamic_block;
       alphas_.set(world, source.alphas[i], place.alpha);
+      if (source.has_extent) {
+        const auto [known, is_new] = source.unread.try_emplace(place.geometry, unread_.size());
+        const auto params = static_cast<std::size_t>(source.geometry.states.states[state].first);
+        if (is_new) unread_.push_back({&use, source.params.states[params], {}});
+        unread_[known->second].uses.push_back({shapes_.size() - 1, moved_by});
+        world.is_unread = true;
+      }
       if (emitter.use) {
         world.emitter = static_cast<int>(emitters_.size());
         emitter.shapes.push_back(static_cast<int>(shapes_.size()) - 1);

@@ -27,6 +27,10 @@ struct Geometry::Source {
   // By the instances' dynamic block: objects that do not move differ in nothing but their matrix.
   std::map<int, std::shared_ptr<const Placement>> unmoved;
   std::vector<ContentKey> keys;  // of `made`; empty: it is not kept
+  // With an extent, boxes are made, and the first mesh to be checked.
+  bool has_extent = false;
+  MadeShapes first;
+  std::map<int, std::size_t> unread;  // by state of `geometry`: which of Geometry::unread_
 
   /// Takes over the shape of the next directive, which is alike, if both are one shape in one state and it allows that.
   bool absorb(Source& next) {

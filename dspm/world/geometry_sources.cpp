@@ -154,7 +154,8 @@ std::optional<Geometry::Source> Geometry::make_source(const ShapeUse& first, std
 
 /// The shapes that the directive makes in all of its states; nullopt if there are none. Messages end with the first
 /// state that has errors.
-std::optional<Geometry::Source> Geometry::make_source(const ShapeUse& use, Diagnostics& diagnostics) const {
+std::optional<Geometry::Source> Geometry::make_source(const ShapeUse& use, Diagnostics& diagnostics,
+                                                      bool by_extent) const {
   const auto* plugin = shape_plugins().find(use.type, use.type_where, diagnostics);
   if (!plugin) return std::nullopt;
   Source source;
@@ -162,6 +163,8 @@ std::optional<Geometry::Source> Geometry::make_source(const ShapeUse& use, Diagn
       param_states(without_alpha(use.params), description_.frames, presence(description_, use.dynamic_block));
   expect_same_in_all_frames(use, kShapeCausticsParam, diagnostics);
   expect_same_in_all_frames(use, kShadowCatcherParam, diagnostics);
+  if (by_extent) take_extent(use, source, diagnostics);
+  if (source.has_extent) return source;
   const std::vector<ParamList>& states = source.params.states;
   std::vector<Diagnostics> messages(states.size(), Diagnostics(diagnostics.lenient()));
   std::vector<MadeOfParams> made(states.size());

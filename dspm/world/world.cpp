@@ -130,6 +130,7 @@ struct World::Impl {
       };
       expect_covered(text, is_rendered, geometry, sphere, lights, light_choices, diagnostics);
     }
+    if (diagnostics.error_count() == 0) read_frames(options);
     for (const WorldLight& light : lights) light_names.add(light.short_name);
     for (const WorldLight& light : lights)
       if (light.group != kOtherLights) light_groups.push_back(light.group);
@@ -144,6 +145,18 @@ struct World::Impl {
     ParamReader reader = accel_reader(diagnostics);
     check(*accel, reader, std::span<const PlacedShape>(), FrameSet());
     if (options.check_meshes && diagnostics.error_count() == 0) warn_of_overlaps(diagnostics);
+  }
+
+  /// Reads the meshes of the frames of which scenes are made: those that are rendered, and those that stand for the file.
+  void read_frames(const WorldOptions& options) {
+    std::vector<FileFrame> frames;
+    if (options.rendered != nullptr)
+      frames = *options.rendered;
+    else
+      for (FileFrame f(0); f.index() < description.frames.count(); ++f) frames.push_back(f);
+    geometry.read(frames);
+    geometry.read(light_choices.sample());
+    geometry.read(light_choices.sample(sample_size));
   }
 
   ParamReader accel_reader(Diagnostics& diagnostics) const {

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
+#include "dspm/gltf/extent.h"
 #include "dspm/gltf/poses.h"
 #include "tests/gltf/gltf_file.h"
 
@@ -93,6 +95,50 @@ TEST(Moments, PointersSetWhatIsThere) {
   EXPECT_EQ(set("/materials/0/pbrMetallicRoughness/roughnessFactor"),
             R"([{"pbrMetallicRoughness":{"roughnessFactor":0.25}}])");
   EXPECT_EQ(set("/materials/99999/alphaCutoff"), "[{}]");
+}
+
+/// `count` vectors of numbers in [-1, 1].
+Numbers random_numbers(std::mt19937& random, std::size_t count, std::size_t width) {
+  std::uniform_real_distribution<float> number(-1, 1);
+  Numbers numbers{count, width, {}};
+  for (std::size_t i = 0; i < count * width; ++i) numbers.values.push_back(number(random));
+  return numbers;
+}
+
+// Some vertices hang on no joint, and joints may be flat.
+TEST(PosedBoxes, HoldAllVerticesInAllPoses) {
+  constexpr std::size_t kVertices = 200, kJoints = 3;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> number(-2, 2);
+  for (const bool is_skinned : {false, true}) {
+    Primitive rest;
+    rest.positions = random_numbers(random, kVertices, 3);
+    for (int target = 0; target < 2; ++target) rest.targets.push_back({random_numbers(random, kVertices, 3), {}, {}});
+    if (is_skinned) {
+      rest.weights = {random_numbers(random, kVertices, 4)}, rest.joints = {Numbers{kVertices, 4, {}}};
+      for (std::size_t i = 0; i < 4 * kVertices; ++i)
+        rest.joints[0].values.push_back(static_cast<float>(random() % kJoints));
+    }
+    const PosedBoxes boxes(rest);
+    for (int pose_number = 0; pose_number < 50; ++pose_number) {
+      const std::vector<double> weights{number(random), number(random)};
+      std::vector<Matrix4> skin;
+      for (std::size_t joint = 0; is_skinned && joint < kJoints; ++joint)
+        skin.push_back(Matrix4::translate(100 * number(random), number(random), 0) *
+                       Matrix4::rotate(90 * number(random), number(random), 1, 0) *
+                       Matrix4::scale(joint == 0 ? 0 : number(random), 1, 1));
+      const Bounds3 box = boxes.posed(weights, skin);
+      Primitive posed = rest;
+      pose(posed, weights, skin);
+      Bounds3 tight, both = box;
+      for (std::size_t i = 0; i < kVertices; ++i)
+        tight.add(Vec3{posed.positions[i][0], posed.positions[i][1], posed.positions[i][2]});
+      both.add(tight);
+      EXPECT_EQ(both.low, box.low);
+      EXPECT_EQ(both.high, box.high);
+      EXPECT_LT(length(box.extent()), (is_skinned ? 10 : 2) * length(tight.extent()));
+    }
+  }
 }
 
 }  // namespace

@@ -83,5 +83,70 @@ TEST_F(Sequences, OfFramesThatAreNotRenderedFilesMayBeMissing) {
   EXPECT_THROW(shapes(shape, choices), SceneError);
 }
 
+/// The digest of what sampling derives, and the hits of rays in the frame, if it is rendered with these.
+class Extents : public Sequences {
+ protected:
+  std::string sampling(const std::vector<Moment>& frames, const std::string& parameters, const char* around = "{}") {
+    Choices choices;
+    choices.frames = frames;
+    const std::string shape = fmt::format(R"(Shape "plymesh" "string filename" "a.%d.ply" {})", parameters);
+    const LoadedScene loaded((directory / "scene.dsc").string(),
+                             "Frames 40 WorldBegin LightSource \"infinite\" DynamicBegin \"fluid\" Translate 0 1 0 " +
+                                 fmt::format(fmt::runtime(around), shape) + " DynamicEnd",
+                             choices, diagnostics);
+    read.clear();
+    for (const FileFrame frame : loaded.job.frames) {
+      const auto scene = loaded.world->scene(std::vector{frame});
+      read.push_back(scene->shapes.front().bounds(0));
+    }
+    return loaded.world->sampling();
+  }
+
+  std::vector<Bounds3> read;  // of the first triangle in each frame
+};
+
+TEST_F(Extents, FilesOfFramesThatAreNotRenderedAreNotRead) {
+  for (int frame = 1; frame <= 40; ++frame) put(frame, true);
+  const char* const extent = R"("point3 extent" [-50 0 0  2 1 0])";
+  const std::string all = sampling({}, extent);
+  const Bounds3 third = read[2];
+  EXPECT_EQ(third.low, (Vec3{-3, 1, 0}));
+  // Others that are read are the first, and those that learning looks at.
+  int noticed = 0;
+  for (int frame = 1; frame <= 40; ++frame) {
+    if (frame == 3) continue;
+    put_file(directory / fmt::format("a.{}.ply", frame), "bad");
+    diagnostics = Diagnostics();
+    try {
+      sampling({Moment(2)}, extent);
+    } catch (const SceneError&) {
+      ++noticed;
+    }
+    put(frame, true);
+  }
+  EXPECT_LE(noticed, 17);
+  diagnostics = Diagnostics();
+  EXPECT_EQ(sampling({Moment(2)}, extent), all);
+  EXPECT_EQ(read.front().low, third.low);
+  EXPECT_EQ(read.front().high, third.high);
+  EXPECT_NE(sampling({Moment(2)}, ""), all) << "the box is what counts, not the meshes";
+}
+
+TEST_F(Extents, AreTakenAtTheirWordOnlyWhereMeshesLieWithin) {
+  for (int frame = 1; frame <= 40; ++frame) put(frame, true);
+  EXPECT_THROW(sampling({Moment(39)}, R"("point3 extent" [-39 0 0  2 1 0])"), SceneError);
+  EXPECT_NE(messages().find("a.40.ply goes beyond this box"), std::string::npos) << messages();
+  diagnostics = Diagnostics();
+  EXPECT_THROW(sampling({Moment(1)}, R"("point3 extent" [0 0 0])"), SceneError);
+  EXPECT_EQ(messages(), "two corners of a box are expected, not 1\n");
+}
+
+// Its power in all frames decides how often a light is chosen.
+TEST_F(Extents, OfLightsAllFilesAreRead) {
+  for (int frame = 1; frame <= 40; ++frame) put(frame, true);
+  const char *const extent = R"("point3 extent" [-50 0 0  2 1 0])", *const light = "AreaLightSource \"diffuse\" {}";
+  EXPECT_EQ(sampling({Moment(2)}, extent, light), sampling({Moment(2)}, "", light));
+}
+
 }  // namespace
 }  // namespace dspm::test
