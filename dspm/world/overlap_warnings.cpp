@@ -11,6 +11,7 @@
 #include "dspm/math/frames.h"
 #include "dspm/math/vec.h"
 #include "dspm/scene/scene.h"
+#include "dspm/world/in_frame.h"
 #include "dspm/world/param_states.h"
 
 namespace dspm {
@@ -61,9 +62,8 @@ void warn_of(const std::vector<Overlap>& overlaps, const Scene& bodies, const st
     const auto [a, b] = std::minmax(told[i]->entered_first, told[i]->entered_second);
     const WorldShape &first = shape(a), &second = shape(b);
     const Frame frame = told[i]->frames.lowest();
-    const std::string when = told[i]->frames == bodies.frames()
-                                 ? ""
-                                 : " in frame " + frames.label(bodies.file_frames[static_cast<std::size_t>(frame)]);
+    const std::string when =
+        told[i]->frames == bodies.frames() ? "" : in_frame(frames, bodies.file_frames[static_cast<std::size_t>(frame)]);
     const Material &of_first = *state_of(bodies, first.placed.material, frame),
                    &of_second = *state_of(bodies, second.placed.material, frame);
     const Vec3& p = told[i]->place;

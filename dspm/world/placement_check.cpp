@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "dspm/math/vanishing.h"
+#include "dspm/world/in_frame.h"
 
 namespace dspm {
 
@@ -35,8 +36,7 @@ void leave_out_unplaced(Timeline<Matrix4>& matrices, const FileFrames& frames, c
     if (state < 0 || fates[static_cast<std::size_t>(state)] == Fate::placed) continue;
     const bool hides = fates[static_cast<std::size_t>(state)] == Fate::hidden;
     if (hides) ++hidden;
-    if (!hides && !is_reported)
-      report_singular(subject, fmt::format(" in frame {}", frames.label(f)), where, diagnostics), is_reported = true;
+    if (!hides && !is_reported) report_singular(subject, in_frame(frames, f), where, diagnostics), is_reported = true;
     state = -1;
   }
   if (hidden == 0) return;

@@ -12,6 +12,7 @@
 #include "dspm/world/coverage.h"
 #include "dspm/world/distinct_names.h"
 #include "dspm/world/geometry.h"
+#include "dspm/world/in_frame.h"
 #include "dspm/world/lighting.h"
 #include "dspm/world/likeness.h"
 #include "dspm/world/overlap_warnings.h"
@@ -65,8 +66,7 @@ Timeline<std::shared_ptr<const Camera>> make_camera(const SceneDescription& desc
   for (FileFrame f(0); f.index() < description.frames.count(); ++f) {
     const State& state = states.states[static_cast<std::size_t>(states.at(f))];
     if (is_sound(state.camera_from_world)) continue;
-    report_singular("the camera", fmt::format(" in frame {}", description.frames.label(f)), state.use->where,
-                    diagnostics);
+    report_singular("the camera", in_frame(description.frames, f), state.use->where, diagnostics);
     return cameras;
   }
   for (const State& state : states.states) {

@@ -86,6 +86,19 @@ TEST(Overlaps, OfSomeFramesNameOne) {
   EXPECT_NE(texts[0].find("in frame 4"), std::string::npos) << texts[0];
 }
 
+TEST(Overlaps, OfSomeVariationsNameOne) {
+  const std::string balls =
+      glass("glass") + ball(0, 1) + glass("liquid") + "DynamicBegin \"drink\"\n" + ball(1.5, 1) + "DynamicEnd\n";
+  const std::string axis =
+      "VariationBegin \"empty\" Hide \"drink\" VariationEnd VariationBegin \"full\" VariationEnd\n";
+  for (const auto& [frames, words] :
+       {std::pair{"", "in variation \"full\""}, std::pair{"Frames 2\n", "in frame 1 of variation \"full\""}}) {
+    const std::vector<std::string> texts = warnings(balls + axis, frames);
+    ASSERT_EQ(texts.size(), 1u);
+    EXPECT_NE(texts[0].find(words), std::string::npos) << texts[0];
+  }
+}
+
 TEST(Overlaps, MustNotHideWhatScattersInside) {
   const std::string milk = "Material \"subsurface\" \"string name\" \"Wholemilk\" ";
   const auto overlap = [&](int priority) {
