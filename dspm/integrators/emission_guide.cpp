@@ -132,6 +132,19 @@ EmissionStart start_of(const EmissionGuides* guides, const Scene& scene, std::si
   return {chosen.index, {position.x, position.y, direction.x, direction.y}, chosen.probability};
 }
 
+std::vector<double> light_shares(const EmissionGuides& guides, const Scene& scene) {
+  const std::size_t count = scene.lights.size();
+  std::vector<double> shares(count);
+  for (std::size_t c = 0; c < scene.light_choices.size(); ++c) {
+    const LightChoice& choice = scene.light_choices[c];
+    const std::vector<double> guided = guides.are_off() ? std::vector<double>() : guides.of_choice[c].shares(count);
+    for (std::size_t i = 0; i < count; ++i)
+      shares[i] += static_cast<double>(choice.share) *
+                   (guides.are_off() ? static_cast<double>(choice.probability[i]) : guided[i]);
+  }
+  return shares;
+}
+
 float start_density(const EmissionGuides* guides, const Scene& scene, const SceneLight& light, const Light& state,
                     const Ray& ray, const Vec3& normal, int primitive) {
   const auto index = static_cast<std::size_t>(&light - scene.lights.data());

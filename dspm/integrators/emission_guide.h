@@ -112,6 +112,9 @@ struct EmissionGuides {
 /// from.
 EmissionStart start_of(const EmissionGuides* guides, const Scene& scene, std::size_t choice, const PathRandom& random);
 
+/// Returns each light's share of all photon paths.
+std::vector<double> light_shares(const EmissionGuides& guides, const Scene& scene);
+
 /// Returns the density of choosing the light and the numbers with which emit() of its `state` starts this ray, by power
 /// if `guides` is null or off; the mean over the choices, see SceneLight::choice_shares. If emission_numbers() does not
 /// tell the numbers, it is the light's probability.

@@ -7,8 +7,6 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "dspm/integrators/emission_guide.h"
-#include "dspm/integrators/pilot_paths.h"
 #include "dspm/scene/scene.h"
 
 namespace dspm {
@@ -78,18 +76,10 @@ std::string how_it_starts(const EmissionReport& report) {
 
 }  // namespace
 
-void EmissionReport::add_lights(const Scene& scene, const EmissionGuides& guides,
+void EmissionReport::add_lights(const Scene& scene, const std::vector<double>& shares,
                                 const std::vector<std::uint64_t>& started_of,
                                 const std::vector<std::uint64_t>& found_of) {
   const std::size_t count = scene.lights.size();
-  std::vector<double> shares(count);
-  for (std::size_t c = 0; c < scene.light_choices.size(); ++c) {
-    const LightChoice& choice = scene.light_choices[c];
-    const std::vector<double> guided = guides.are_off() ? std::vector<double>() : guides.of_choice[c].shares(count);
-    for (std::size_t i = 0; i < count; ++i)
-      shares[i] += static_cast<double>(choice.share) *
-                   (guides.are_off() ? static_cast<double>(choice.probability[i]) : guided[i]);
-  }
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return shares[a] > shares[b]; });

@@ -10,8 +10,10 @@
 
 namespace dspm {
 
-struct EmissionGuides;
 class Scene;
+
+/// The name, in reports, of paths that count only if they bring more than direct light.
+inline constexpr const char* kLightPaths = "light paths";
 
 /// Reports on one kind of an integrator's photons. What was found is a sample of the pilot paths, by pilot pixels of
 /// the whole image, in a few frames of the file.
@@ -35,8 +37,8 @@ struct EmissionReport {
 
   double share_found() const { return paths > 0 ? static_cast<double>(found) / static_cast<double>(paths) : 0; }
 
-  /// Adds the lights with their pilot paths, `started` and `found`, and the guides that the run uses.
-  void add_lights(const Scene& scene, const EmissionGuides& guides, const std::vector<std::uint64_t>& started,
+  /// Adds the lights with their shares of the run's paths, and with their pilot paths, `started` and `found`.
+  void add_lights(const Scene& scene, const std::vector<double>& shares, const std::vector<std::uint64_t>& started,
                   const std::vector<std::uint64_t>& found);
   void persist(StateStream& state);
 };

@@ -47,7 +47,7 @@ EmissionReport report_of(const PilotPaths& pilot, const Scene& scene, const Phot
   report.rounds = pilot.rounds, report.paths = pilot.of_a_round, report.cells = guides.cell_count();
   report.found_without = pilot.found_first, report.gain = pilot.gain;
   report.found = std::accumulate(pilot.found.begin(), pilot.found.end(), std::uint64_t{0});
-  report.add_lights(scene, guides, pilot.started, pilot.found);
+  report.add_lights(scene, light_shares(guides, scene), pilot.started, pilot.found);
   return report;
 }
 

@@ -12,9 +12,6 @@
 
 namespace dspm {
 
-/// The name, in reports, of paths that count only if they bring more than direct light.
-inline constexpr const char* kLightPaths = "light paths";
-
 /// A pilot path that was found. `squares` is the sum of the squares of what it adds to pixels and frames.
 struct FoundPath {
   std::size_t choice;  // of its frames
