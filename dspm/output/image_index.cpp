@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "dspm/output/json.h"
-#include "dspm/output/name_template.h"
 #include "dspm/system/extension.h"
+#include "dspm/world/named_parts.h"
 
 namespace dspm {
 namespace {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "dspm/params/errors.h"
 #include "dspm/system/atomic_file.h"
 
 namespace dspm {
@@ -56,17 +57,6 @@ std::string filled_in(std::string_view pattern, const std::vector<NamedPart>& pa
 
 void make_folders_of_template(std::string_view pattern, const std::filesystem::path& filled_in) {
   if (is_template(pattern) && filled_in.has_parent_path()) make_folder(filled_in.parent_path());
-}
-
-std::vector<NamedPart> parts_of(const Job& job, FileFrame frame) {
-  std::vector<NamedPart> parts;
-  const SceneDescription& scene = *job.description;
-  if (!scene.axes.empty()) parts.push_back({"variation", job.variation(frame)});
-  for (std::size_t a = 0; a < scene.axes.size(); ++a)
-    if (!scene.axes[a].name.empty())
-      parts.push_back(
-          {scene.axes[a].name, scene.axes[a].variations[static_cast<std::size_t>(scene.frames.choice(frame, a))].name});
-  return parts;
 }
 
 }  // namespace dspm

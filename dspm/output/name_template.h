@@ -6,24 +6,15 @@
 #include <string_view>
 #include <vector>
 
-#include "dspm/math/frames.h"
-#include "dspm/world/job.h"
+#include "dspm/world/named_parts.h"
 
 namespace dspm {
-
-/// The text for a name in braces.
-struct NamedPart {
-  std::string name, text;
-};
 
 /// Returns whether the name has a part in braces.
 bool is_template(std::string_view name);
 /// Fills in the parts. {frame} has four digits, {frame:2} at least two; {{ and }} are braces. Throws UsageError if a
 /// name is not among the parts.
 std::string filled_in(std::string_view pattern, const std::vector<NamedPart>& parts, int frame);
-
-/// Returns the frame's choices, by axis, after the whole "variation".
-std::vector<NamedPart> parts_of(const Job& job, FileFrame frame);
 
 /// The folders of a name that was filled in: whoever names folders after variations cannot make them all. Throws WriteError.
 void make_folders_of_template(std::string_view pattern, const std::filesystem::path& filled_in);
