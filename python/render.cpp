@@ -9,6 +9,7 @@
 
 #include "dspm/image/encoding.h"
 #include "dspm/image/image.h"
+#include "dspm/output/joint_files.h"
 #include "dspm/output/joint_render.h"
 #include "dspm/output/view.h"
 #include "python/arrays.h"
@@ -72,7 +73,7 @@ void iterate(const py::object& self, int count, const py::object& each) {
 Image image_of(const Render& renderer, int frame, const std::string& output, bool is_denoised = false) {
   const py::gil_scoped_release without_python;
   if (is_denoised && output != kRadiance) throw UsageError("denoised: only radiance is, not \"" + output + "\"");
-  return is_denoised ? renderer.denoised(frame) : renderer.image(frame, output);
+  return is_denoised ? denoised(renderer, frame) : renderer.image(frame, output);
 }
 
 py::array image(const Render& renderer, int frame, const std::string& output, bool is_denoised) {
@@ -108,7 +109,7 @@ std::vector<std::filesystem::path> write_files(const Render& renderer, const std
   std::vector<std::filesystem::path> written;
   {
     const py::gil_scoped_release without_python;
-    written = renderer.write(files, warnings.keeper());
+    written = write(renderer, files, warnings.keeper());
   }
   warnings.raise();
   return written;

@@ -8,25 +8,12 @@
 #include <utility>
 
 #include "dspm/image/image.h"
-#include "dspm/output/denoised.h"
 #include "dspm/output/developed.h"
-#include "dspm/output/results.h"
 #include "dspm/session/frame_intervals.h"
 #include "dspm/session/session.h"
 #include "dspm/system/state_in_memory.h"
 
 namespace dspm {
-namespace {
-
-/// Of a message as the program prints it: what it says.
-std::string said_in(std::string line) {
-  constexpr std::string_view kWho = "dspm: ";
-  if (line.starts_with(kWho)) line.erase(0, kWho.size());
-  if (line.ends_with('\n')) line.pop_back();
-  return line;
-}
-
-}  // namespace
 
 JointRender::JointRender(std::shared_ptr<const LoadedScene> scene, const Warn& warn) : scene_(std::move(scene)) {
   const SceneDescription& description = *scene_->description;
@@ -59,54 +46,21 @@ void JointRender::iterate() {
 
 int JointRender::wanted() const { return scene_->job.iterations(*intervals_.front().integrator); }
 
-JointRender::Place JointRender::place_of(int frame) const {
+std::pair<const JointRender::Interval&, Frame> JointRender::place_of(int frame) const {
   if (frame < 0 || frame >= static_cast<int>(places_.size()))
     throw std::out_of_range(fmt::format("frame {}: there are {}, counted from 0", frame, places_.size()));
   if (iterations_ == 0) throw std::logic_error("there are no images before the first iteration");
-  return places_[static_cast<std::size_t>(frame)];
+  const Place& place = places_[static_cast<std::size_t>(frame)];
+  return {intervals_[place.interval], place.frame};
 }
 
 Image JointRender::image(int frame, const std::string& output) const {
-  const Place place = place_of(frame);
+  const auto& [interval, place] = place_of(frame);
   if (std::find(outputs_.begin(), outputs_.end(), output) == outputs_.end())
     throw std::out_of_range(
         fmt::format("\"{}\" is none of the outputs that were asked for: {}", output, fmt::join(outputs_, ", ")));
-  Image image = intervals_[place.interval].integrator->estimate(place.frame, output);
+  Image image = interval.integrator->estimate(place, output);
   return output == kRadiance ? developed(std::move(image), scene_->job) : image;
-}
-
-Image JointRender::denoised(int frame) const {
-  const Job& job = scene_->job;
-  if (!job.denoiser) throw UsageError("the scene was loaded without a denoiser, which takes outputs of its own");
-  const Place place = place_of(frame);
-  const Integrator& integrator = *intervals_[place.interval].integrator;
-  Image image = dspm::denoised(*job.denoiser, integrator.estimate(place.frame), integrator, place.frame,
-                               "the denoised image of " + labels_[static_cast<std::size_t>(frame)]);
-  return developed(std::move(image), job);
-}
-
-std::vector<std::filesystem::path> JointRender::write(const ImageFiles& files, const Warn& warn) const {
-  Job job = scene_->job;
-  job.film.filename = files.outfile;
-  if (files.half) job.film.save_half = *files.half;
-  if (!files.frames.empty()) job.frames.clear();
-  for (const int frame : files.frames) {
-    place_of(frame);
-    job.frames.push_back(scene_->job.frames[static_cast<std::size_t>(frame)]);
-  }
-  place_of(0);
-  std::string said;
-  const Warn keep = [&](const std::string& text) { said += text; };
-  CalledMessages messages(keep);
-  Results results(job, *scene_->world, files.settings, {}, false, messages, [] { return false; });
-  for (const Interval& interval : intervals_)
-    results.write(interval.frames, *interval.integrator, seconds_, Results::Images::so_far);
-  if (!results.are_whole()) {
-    results.report_missing();
-    throw std::runtime_error(said_in(said));
-  }
-  if (!said.empty()) warn(said);
-  return results.files();
 }
 
 std::vector<Statistics> JointRender::statistics() const {

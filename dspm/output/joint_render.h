@@ -2,34 +2,32 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "dspm/image/image.h"
 #include "dspm/integrators/integrator.h"
 #include "dspm/math/frames.h"
-#include "dspm/output/output.h"
 #include "dspm/output/renderer.h"
 #include "dspm/scene/scene.h"
 #include "dspm/session/frame_intervals.h"
 #include "dspm/session/load.h"
+#include "dspm/session/messages.h"
 #include "dspm/system/state_stream.h"
 
 namespace dspm {
 
-/// Which files JointRender::write makes.
-struct ImageFiles {
-  std::string outfile;      // as of --outfile
-  std::vector<int> frames;  // ascending; empty: all
-  std::optional<bool> half;
-  OutputSettings settings;
-};
-
 /// See Renderer for what is not said here. Intervals of frames are all in memory.
 class JointRender {
  public:
+  struct Interval {
+    FrameList frames;
+    std::unique_ptr<const Scene> scene;
+    std::unique_ptr<Integrator> integrator;
+  };
+
   explicit JointRender(std::shared_ptr<const LoadedScene> scene, const Warn& warn = kIgnoreWarnings);
 
   const LoadedScene& scene() const { return *scene_; }
@@ -40,11 +38,11 @@ class JointRender {
   int wanted() const;
   /// Throws std::out_of_range as Renderer's, and std::logic_error before the first iteration.
   Image image(int frame, const std::string& output = kRadiance) const;
-  /// Radiance with less noise. Throws UsageError if the scene was not loaded with a denoiser.
-  Image denoised(int frame) const;
-  /// Files with the bits of the program's. Returns their names. Throws UsageError for settings that make no sense, and
-  /// std::runtime_error if a file cannot be written.
-  std::vector<std::filesystem::path> write(const ImageFiles& files, const Warn& warn) const;
+  /// The interval that renders the frame, and the frame's number in it. Throws as image() does.
+  std::pair<const Interval&, Frame> place_of(int frame) const;
+  const std::vector<Interval>& intervals() const { return intervals_; }
+  /// How long all iterations took.
+  double seconds() const { return seconds_; }
   std::vector<Statistics> statistics() const;
   std::string state();
   void load_state(std::string_view state);
@@ -52,26 +50,19 @@ class JointRender {
   void persist(StateStream& stream);
 
  private:
-  struct Interval {
-    FrameList frames;
-    std::unique_ptr<const Scene> scene;
-    std::unique_ptr<Integrator> integrator;
-  };
   struct Place {
     std::size_t interval;
     Frame frame;
   };
 
   void make(const FrameList& frames, Messages& messages);
-  /// Throws unless there is such a frame, and an image of it.
-  Place place_of(int frame) const;
 
   std::shared_ptr<const LoadedScene> scene_;
   std::vector<std::string> labels_, outputs_ = {kRadiance};
   std::vector<Interval> intervals_;
   std::vector<Place> places_;  // by frame
   int iterations_ = 0;
-  double seconds_ = 0;  // that they took
+  double seconds_ = 0;
 };
 
 /// Messages as warnings that a caller is shown.
