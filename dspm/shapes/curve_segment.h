@@ -66,20 +66,4 @@ struct CurvePiece {
 /// Returns a box that contains that part with its width, rounding included.
 Bounds3 bounds_of(const CurveSegment& segment, const CurvePart& part);
 
-/// The place where the line of a ray passes the centre line of a curve most closely, for one of its turns.
-struct Passage {
-  double u;
-  CurvePlace place;   // of the centre line, from the ray's origin
-  DoubleVec3 across;  // of unit length, perpendicular to ray and curve: d x tangent
-  double offset;      // the ray's from the centre line, against `across`
-};
-
-/// Calls fn(const Passage&) for each turn at which the piece passes within half of its width of the ray's line. The
-/// sign of (p . p') decides, with p in projection along the ray, at places that neighbouring steps share, so none is
-/// lost between them; neighbouring pieces overlap by a thousandth of the width.
-template <class Fn>
-void for_each_passage(const CurveSegment& segment, const CurvePiece& piece, const Ray& ray, const Fn& fn);
-
 }  // namespace dspm
-
-#include "dspm/shapes/curve_passage.h"

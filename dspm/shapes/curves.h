@@ -8,6 +8,7 @@
 
 #include "dspm/math/ray.h"
 #include "dspm/math/vec.h"
+#include "dspm/shapes/curve_passage.h"
 #include "dspm/shapes/curve_segment.h"
 #include "dspm/shapes/shape.h"
 #include "dspm/system/untouched.h"
