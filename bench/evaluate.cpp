@@ -16,9 +16,9 @@
 #include "bench/report/machine.h"
 #include "bench/report/progress.h"
 #include "bench/sections/section.h"
-#include "dspm/system/atomic_file.h"
-#include "dspm/system/parallel.h"
-#include "dspm/system/read_file.h"
+#include "dspm/base/system/atomic_file.h"
+#include "dspm/base/system/parallel.h"
+#include "dspm/base/system/read_file.h"
 
 namespace dspm {
 namespace {

@@ -11,7 +11,8 @@ include(CheckLinkerFlag)
 check_linker_flag(CXX -fuse-ld=gold has_gold)
 
 add_library(dspm_settings INTERFACE)
-target_include_directories(dspm_settings INTERFACE ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/made)
+target_include_directories(dspm_settings INTERFACE ${CMAKE_BINARY_DIR}/include ${CMAKE_BINARY_DIR}/made
+  ${CMAKE_SOURCE_DIR})  # the last for bench, python and tests
 # No contraction and no fast-math: equal paths must take equal decisions in every run, see docs/design.md.
 set(dspm_code_options -ffp-contract=off -fno-math-errno -msse4.2 -mpopcnt)
 target_compile_options(dspm_settings INTERFACE ${dspm_code_options}

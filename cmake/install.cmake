@@ -5,7 +5,7 @@ include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/dspm)
 
 # What modules inherit: the folder of the headers, and the settings under which frames stay equal to the bit.
-target_include_directories(libdspm INTERFACE $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>
+target_include_directories(libdspm INTERFACE $<BUILD_INTERFACE:${CMAKE_BINARY_DIR}/include>
   $<BUILD_INTERFACE:${CMAKE_BINARY_DIR}/made> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_compile_features(libdspm INTERFACE cxx_std_20)
 target_compile_options(libdspm INTERFACE ${dspm_code_options})
@@ -22,8 +22,10 @@ if(TARGET dspm_mpi)
 endif()
 foreach(header ${public_headers} ${testing_headers} ${toolkit_headers})
   get_filename_component(folder ${header} DIRECTORY)
-  install(FILES dspm/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/dspm/${folder} COMPONENT Development)
+  install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/dspm/${folder} COMPONENT Development)
 endforeach()
+include(cmake/moved_headers.cmake)
+install_from_old_paths(${public_headers} ${testing_headers} ${toolkit_headers})
 install(EXPORT dspm NAMESPACE dspm:: FILE dspmTargets.cmake DESTINATION ${package_folder} COMPONENT Development)
 configure_package_config_file(cmake/dspmConfig.cmake.in dspmConfig.cmake INSTALL_DESTINATION ${package_folder}
   PATH_VARS CMAKE_INSTALL_BINDIR CMAKE_INSTALL_INCLUDEDIR)
@@ -32,8 +34,8 @@ install(FILES ${CMAKE_BINARY_DIR}/dspmConfig.cmake ${CMAKE_BINARY_DIR}/dspmConfi
   cmake/public_headers.cmake cmake/interface_digest.cmake
   DESTINATION ${package_folder} COMPONENT Development)
 
-install(FILES ${CMAKE_BINARY_DIR}/made/dspm/modules/interface.h
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/dspm/modules COMPONENT Development)
+install(FILES ${CMAKE_BINARY_DIR}/made/dspm/session/modules/interface.h
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/dspm/session/modules COMPONENT Development)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT Development FILES_MATCHING PATTERN "*.md")
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT Development)
 

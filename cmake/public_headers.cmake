@@ -3,56 +3,56 @@
 # and may change with any version.
 set(public_headers
   accel/accel.h
+  base/colour/colour_space.h base/colour/rgb.h base/colour/spectrum.h
+  base/math/bins.h base/math/frame_array.h base/math/frames.h base/math/ray.h base/math/rng.h base/math/sampling.h
+  base/math/transform.h base/math/vec.h base/math/vertex_data.h
+  base/params/errors.h base/params/params.h base/params/registry.h
+  base/system/cancellation.h base/system/files_read.h base/system/parallel.h base/system/state_stream.h
+  base/system/version.h base/system/work.h
   cameras/camera.h
-  colour/colour_space.h colour/rgb.h colour/spectrum.h
-  film/pixel_filter.h film/pixel_rect.h
+  image/film/pixel_filter.h image/film/pixel_rect.h
   image/image.h
-  integrators/counters.h integrators/dimension.h integrators/emission_report.h integrators/integrator.h
-  integrators/light_groups.h integrators/output_info.h
-  integrators/caught_light.h integrators/rejections.h integrators/seen_light.h integrators/statistics.h
-  integrators/summed_iterations.h integrators/summing_integrator.h
+  integrators/caught_light.h integrators/counters.h integrators/dimension.h integrators/emission_report.h
+  integrators/integrator.h integrators/light_groups.h integrators/output_info.h integrators/rejections.h
+  integrators/seen_light.h integrators/statistics.h integrators/summed_iterations.h integrators/summing_integrator.h
   integrators/tiles.h
+  lang/file_frames.h
   lights/light.h
   materials/bsdf.h materials/interior.h materials/material.h materials/material_set.h materials/microfacet.h
   materials/parameters.h materials/shading_frame.h
-  math/bins.h math/frame_array.h math/frames.h math/ray.h math/rng.h math/sampling.h math/transform.h math/vec.h math/vertex_data.h
-  lang/file_frames.h
-  modules/module.h modules/stamp.h
-  output/renderer.h
-  params/errors.h params/params.h params/registry.h
-  scene/inside.h scene/scene.h
+  session/job/choices.h
+  session/modules/module.h session/modules/stamp.h
+  session/renderer.h
   shapes/cutout.h shapes/placed_shape.h shapes/shape.h shapes/triangle_mesh.h
-  system/cancellation.h system/files_read.h system/parallel.h system/state_stream.h system/version.h
-  system/work.h
   textures/image_cache.h textures/mip_map.h textures/plugins.h textures/texture.h textures/texture_set.h
-  world/choices.h)
+  world/scene/inside.h world/scene/scene.h)
 set(testing_headers
   testing/agreement.h testing/checks.h testing/chi2.h testing/furnace.h testing/promises.h testing/scattering.h
   testing/scattering_cases.h testing/scenes.h testing/test_scene.h testing/verdict.h)
 set(toolkit_headers
-  accel/box_ray.h accel/cut_query.h accel/hits.h accel/meet.h shapes/beyond_hole.h
+  accel/box_ray.h accel/cut_query.h accel/hits.h accel/meet.h
+  base/colour/rgb_lanes.h
+  base/grid/buffer.h base/grid/point_grid.h base/grid/points_within.h
+  base/math/frame_lanes.h
   cameras/blades.h cameras/projection.h
-  colour/rgb_lanes.h
-  grid/buffer.h grid/point_grid.h grid/points_within.h
-  integrators/balance.h integrators/body.h integrators/branching_path.h integrators/camera_path.h integrators/direct_balance.h
-  integrators/direct_light.h
-  integrators/estimator.h
-  integrators/emission_guide.h integrators/emission_of_file.h integrators/file_sample.h integrators/final_gather.h
-  integrators/gather.h
-  integrators/gathered_flux.h
-  integrators/hit_point.h integrators/joint_path.h integrators/kernel_size.h integrators/learn_direct.h
-  integrators/learn_emission.h integrators/light_value.h
-  integrators/max_depth.h integrators/memory_needs.h integrators/nesting.h integrators/path_step.h integrators/photon.h
-  integrators/photon_batches.h integrators/photon_grid.h integrators/photon_map.h integrators/pilot_paths.h
-  integrators/pixel_statistics.h integrators/possible_state.h
-  integrators/progressive.h
-  integrators/progressive_settings.h integrators/radiance_estimate.h integrators/shape_face.h integrators/strand.h
-  integrators/strip_place.h integrators/surface_kernel.h
-  integrators/trace_tiles.h integrators/walk.h
+  integrators/guiding/emission_of_file.h integrators/guiding/file_sample.h integrators/guiding/learn_direct.h
+  integrators/guiding/learn_emission.h integrators/guiding/pilot_paths.h
+  integrators/max_depth.h integrators/possible_state.h integrators/trace_tiles.h
+  integrators/methods/estimator.h integrators/methods/photon_batches.h integrators/methods/pixel_statistics.h
+  integrators/methods/progressive.h integrators/methods/progressive_settings.h
+  integrators/photons/direct_balance.h integrators/photons/emission_guide.h integrators/photons/final_gather.h
+  integrators/photons/gather.h integrators/photons/gathered_flux.h integrators/photons/hit_point.h
+  integrators/photons/kernel_size.h integrators/photons/memory_needs.h integrators/photons/photon.h
+  integrators/photons/photon_grid.h integrators/photons/photon_map.h integrators/photons/radiance_estimate.h
+  integrators/photons/surface_kernel.h
+  integrators/transport/balance.h integrators/transport/body.h integrators/transport/branching_path.h
+  integrators/transport/camera_path.h integrators/transport/direct_light.h integrators/transport/joint_path.h
+  integrators/transport/light_value.h integrators/transport/nesting.h integrators/transport/path_step.h
+  integrators/transport/shape_face.h integrators/transport/strand.h integrators/transport/strip_place.h
+  integrators/transport/walk.h
   lights/aim.h lights/strength.h
   materials/albedo_table.h materials/boundary_tables.h materials/brushed_albedo.h materials/brushed_tables.h
   materials/fresnel.h materials/interface.h materials/made_up.h materials/per_surroundings.h materials/relief.h
   materials/rough_boundary.h materials/table_place.h
-  math/frame_lanes.h
-  shapes/curvature.h shapes/double_vec.h shapes/quadric.h shapes/rounding.h shapes/triangle.h
+  shapes/beyond_hole.h shapes/curvature.h shapes/double_vec.h shapes/quadric.h shapes/rounding.h shapes/triangle.h
   textures/mapping.h)

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "dspm/colour/rgb.h"
-#include "dspm/math/frames.h"
-#include "dspm/math/vec.h"
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/base/math/vec.h"
 
 namespace dspm::python {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "dspm/system/parallel.h"
+#include "dspm/base/system/parallel.h"
 
 namespace dspm::python {
 

@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "dspm/params/errors.h"
-#include "dspm/system/parallel.h"
-#include "dspm/system/version.h"
+#include "dspm/base/params/errors.h"
+#include "dspm/base/system/parallel.h"
+#include "dspm/base/system/version.h"
 
 namespace {
 

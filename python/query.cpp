@@ -2,11 +2,11 @@
 
 #include <pybind11/stl.h>
 
-#include "dspm/colour/rgb.h"
-#include "dspm/integrators/path_step.h"
-#include "dspm/math/frames.h"
-#include "dspm/math/ray.h"
-#include "dspm/math/vec.h"
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/base/math/ray.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/integrators/transport/path_step.h"
 #include "python/arrays.h"
 #include "python/module.h"
 #include "python/scene.h"

@@ -4,10 +4,10 @@
 #include <memory>
 #include <vector>
 
-#include "dspm/math/frames.h"
-#include "dspm/scene/scene.h"
+#include "dspm/base/math/frames.h"
 #include "dspm/session/frame_intervals.h"
 #include "dspm/session/load.h"
+#include "dspm/world/scene/scene.h"
 #include "python/rays.h"
 
 namespace dspm::python {

@@ -2,7 +2,7 @@
 
 #include <pybind11/stl.h>
 
-#include "dspm/math/vec.h"
+#include "dspm/base/math/vec.h"
 #include "python/arrays.h"
 #include "python/module.h"
 

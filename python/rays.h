@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "dspm/colour/rgb.h"
-#include "dspm/math/frames.h"
-#include "dspm/math/ray.h"
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/base/math/ray.h"
 #include "python/chunks.h"
 
 namespace dspm::python {

@@ -8,11 +8,11 @@
 #include <mutex>
 #include <variant>
 
-#include "dspm/checkpoint/facts.h"
-#include "dspm/math/frames.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/base/system/files_read.h"
+#include "dspm/base/system/inner_files.h"
+#include "dspm/session/checkpoint/facts.h"
 #include "dspm/session/frame_intervals.h"
-#include "dspm/system/files_read.h"
-#include "dspm/system/inner_files.h"
 #include "python/module.h"
 
 namespace dspm::python {

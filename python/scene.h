@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "dspm/output/renderer.h"
 #include "dspm/session/load.h"
+#include "dspm/session/renderer.h"
 
 namespace dspm::python {
 

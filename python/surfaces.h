@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "dspm/accel/accel.h"
-#include "dspm/colour/rgb.h"
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/base/math/vec.h"
 #include "dspm/materials/bsdf.h"
-#include "dspm/math/frames.h"
-#include "dspm/math/vec.h"
-#include "dspm/scene/scene.h"
+#include "dspm/world/scene/scene.h"
 #include "python/chunks.h"
 #include "python/rays.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "dspm/math/sampling.h"
-#include "dspm/math/vec.h"
+#include "dspm/base/math/sampling.h"
+#include "dspm/base/math/vec.h"
 #include "dspm/shapes/triangle_mesh.h"
 
 namespace dspm {

@@ -7,7 +7,7 @@
 #include <memory>
 #include <span>
 
-#include "dspm/math/ray.h"
+#include "dspm/base/math/ray.h"
 #include "dspm/shapes/placed_shape.h"
 
 namespace dspm {

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "dspm/system/read_file.h"
+#include "dspm/base/system/read_file.h"
 
 namespace dspm {
 namespace {

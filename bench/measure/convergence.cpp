@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dspm/colour/rgb.h"
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/frames.h"
 #include "dspm/image/image.h"
-#include "dspm/math/frames.h"
-#include "dspm/scene/scene.h"
+#include "dspm/world/scene/scene.h"
 
 namespace dspm {
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "bench/measure/run.h"
-#include "dspm/colour/rgb.h"
+#include "dspm/base/colour/rgb.h"
 #include "dspm/image/image.h"
-#include "dspm/scene/scene.h"
+#include "dspm/world/scene/scene.h"
 
 namespace dspm {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "bench/measure/convergence.h"
-#include "dspm/colour/rgb.h"
+#include "dspm/base/colour/rgb.h"
 
 namespace dspm {
 

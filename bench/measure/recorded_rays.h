@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "bench/measure/run.h"
-#include "dspm/math/frames.h"
-#include "dspm/math/ray.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/base/math/ray.h"
 
 namespace dspm {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bench/measure/convergence.h"
-#include "dspm/film/pixel_rect.h"
+#include "dspm/image/film/pixel_rect.h"
 #include "dspm/image/image.h"
 
 namespace dspm {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <sstream>
 
-#include "dspm/integrators/file_sample.h"
-#include "dspm/math/frames.h"
-#include "dspm/scene/scene.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/integrators/guiding/file_sample.h"
+#include "dspm/world/scene/scene.h"
 
 namespace dspm {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "dspm/math/frames.h"
-#include "dspm/scene/scene.h"
+#include "dspm/base/math/frames.h"
 #include "dspm/session/load.h"
+#include "dspm/world/scene/scene.h"
 
 namespace dspm {
 

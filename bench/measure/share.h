@@ -4,7 +4,7 @@
 #include <string>
 
 #include "bench/measure/rounds.h"
-#include "dspm/math/frames.h"
+#include "dspm/base/math/frames.h"
 
 namespace dspm {
 

@@ -9,12 +9,12 @@
 #include "bench/report/progress.h"
 #include "bench/report/table.h"
 #include "bench/sections/sections.h"
-#include "dspm/colour/rgb.h"
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/frames.h"
 #include "dspm/image/image.h"
 #include "dspm/looking/flicker.h"
-#include "dspm/math/frames.h"
 #include "dspm/output/denoised.h"
-#include "dspm/scene/scene.h"
+#include "dspm/world/scene/scene.h"
 
 namespace dspm {
 namespace {

@@ -7,7 +7,7 @@
 #include "bench/report/progress.h"
 #include "bench/report/table.h"
 #include "bench/sections/sections.h"
-#include "dspm/math/frames.h"
+#include "dspm/base/math/frames.h"
 #include "dspm/session/frame_intervals.h"
 
 namespace dspm {

@@ -1,5 +1,5 @@
 // Time and memory of up to 256 frames, in intervals of 64.
-#include "dspm/math/frames.h"
+#include "dspm/base/math/frames.h"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include "bench/report/progress.h"
 #include "bench/report/table.h"
 #include "bench/sections/sections.h"
-#include "dspm/math/frames.h"
+#include "dspm/base/math/frames.h"
 
 namespace dspm {
 namespace {

@@ -12,8 +12,8 @@
 #include "bench/sections/query_rays.h"
 #include "bench/sections/sections.h"
 #include "dspm/accel/two_level.h"
-#include "dspm/math/frames.h"
-#include "dspm/math/ray.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/base/math/ray.h"
 
 namespace dspm {
 namespace {

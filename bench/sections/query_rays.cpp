@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "dspm/math/rng.h"
-#include "dspm/math/sampling.h"
-#include "dspm/math/vec.h"
+#include "dspm/base/math/rng.h"
+#include "dspm/base/math/sampling.h"
+#include "dspm/base/math/vec.h"
 
 namespace dspm {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "bench/sections/query_scenes.h"
 #include "dspm/accel/accel.h"
-#include "dspm/math/frames.h"
-#include "dspm/math/ray.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/base/math/ray.h"
 
 namespace dspm {
 

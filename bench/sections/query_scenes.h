@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "dspm/math/frames.h"
-#include "dspm/math/vec.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/base/math/vec.h"
 #include "dspm/shapes/placed_shape.h"
 #include "dspm/shapes/triangle_mesh.h"
 

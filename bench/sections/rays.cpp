@@ -12,7 +12,7 @@
 #include "bench/report/table.h"
 #include "bench/sections/sections.h"
 #include "dspm/accel/two_level.h"
-#include "dspm/scene/scene.h"
+#include "dspm/world/scene/scene.h"
 
 namespace dspm {
 namespace {

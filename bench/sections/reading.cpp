@@ -8,14 +8,14 @@
 #include "bench/report/table.h"
 #include "bench/sections/query_scenes.h"
 #include "bench/sections/sections.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/base/system/parallel.h"
 #include "dspm/lang/formatter.h"
 #include "dspm/lang/parse.h"
-#include "dspm/math/vec.h"
 #include "dspm/shapes/mesh_check.h"
 #include "dspm/shapes/mesh_repair.h"
 #include "dspm/shapes/obj.h"
 #include "dspm/shapes/ply.h"
-#include "dspm/system/parallel.h"
 
 namespace dspm {
 namespace {

@@ -6,8 +6,8 @@
 #include "bench/report/progress.h"
 #include "bench/report/table.h"
 #include "bench/sections/sections.h"
-#include "dspm/math/frames.h"
-#include "dspm/system/parallel.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/base/system/parallel.h"
 
 namespace dspm {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "bench/report/table.h"
 #include "bench/sections/sections.h"
-#include "dspm/colour/rgb.h"
-#include "dspm/math/vec.h"
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/vec.h"
 #include "dspm/testing/scattering.h"
 #include "dspm/testing/scattering_cases.h"
 

@@ -5,11 +5,11 @@
 //
 //   iterations  rays to the sky, a pixel             64; 0: until stopped
 //   distance    how far away things can hide the sky 1e6, in scene units
+#include <dspm/base/math/sampling.h>
+#include <dspm/base/system/parallel.h>
 #include <dspm/integrators/integrator.h>
 #include <dspm/integrators/tiles.h>
-#include <dspm/math/sampling.h>
-#include <dspm/modules/module.h>
-#include <dspm/system/parallel.h>
+#include <dspm/session/modules/module.h>
 
 namespace {
 

@@ -4,11 +4,11 @@
 // the pixel that sees the place. [Dutré et al. 1993] All frames at once: a photon path is one path as long as the
 // frames meet the same; then it splits into copies with disjoint sets of frames. Left out are things seen in a mirror
 // or through glass, and the lights themselves.
-#include <dspm/integrators/branching_path.h>
+#include <dspm/base/system/parallel.h>
 #include <dspm/integrators/summing_integrator.h>
 #include <dspm/integrators/tiles.h>
-#include <dspm/modules/module.h>
-#include <dspm/system/parallel.h>
+#include <dspm/integrators/transport/branching_path.h>
+#include <dspm/session/modules/module.h>
 
 namespace {
 

@@ -2,7 +2,7 @@
 //
 // Renders all frames of a scene for each value of one of its parameters ("Default roughness 0.1" in the scene), and
 // prints the mean radiance of every frame: a program that uses dspm as a library.
-#include <dspm/output/renderer.h>
+#include <dspm/session/renderer.h>
 
 #include <cstdlib>
 #include <iostream>

@@ -11,10 +11,10 @@
 //   reflectance  spectrum texture  0.5   fraction of the light that the ground reflects
 //   rim          spectrum texture  0.5   fraction that the fibres reflect at grazing angles
 //   falloff      float             4     how narrow the rim is; 1 to 64
+#include <dspm/base/math/sampling.h>
 #include <dspm/materials/parameters.h>
 #include <dspm/materials/shading_frame.h>
-#include <dspm/math/sampling.h>
-#include <dspm/modules/module.h>
+#include <dspm/session/modules/module.h>
 
 #include <algorithm>
 #include <cmath>

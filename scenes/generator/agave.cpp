@@ -2,7 +2,7 @@
 // agave_pot.ply, the bowl that it grows in, standing on y = -0.2. Metres.
 #include <cmath>
 
-#include "dspm/math/vec.h"
+#include "dspm/base/math/vec.h"
 #include "scenes/generator/mesh_file.h"
 #include "scenes/generator/modelling.h"
 #include "scenes/generator/subjects.h"

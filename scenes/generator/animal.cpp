@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "dspm/math/vec.h"
-#include "dspm/system/parallel.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/base/system/parallel.h"
 #include "scenes/generator/mesh_file.h"
 #include "scenes/generator/modelling.h"
 #include "scenes/generator/subjects.h"

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "dspm/math/vec.h"
+#include "dspm/base/math/vec.h"
 #include "scenes/generator/isosurface.h"
 
 namespace dspm::animal {

@@ -1,6 +1,6 @@
 // The product of chair.dsc, an easy chair that stands on the origin and looks along -z: chair_frame.ply, of wood, and
 // chair_cushions.ply. The unit is 10 cm.
-#include "dspm/math/vec.h"
+#include "dspm/base/math/vec.h"
 #include "scenes/generator/mesh_file.h"
 #include "scenes/generator/modelling.h"
 #include "scenes/generator/subjects.h"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "dspm/math/vec.h"
+#include "dspm/base/math/vec.h"
 #include "scenes/generator/isosurface.h"
 #include "scenes/generator/mesh_file.h"
 #include "scenes/generator/subjects.h"

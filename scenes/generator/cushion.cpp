@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include "dspm/math/vec.h"
+#include "dspm/base/math/vec.h"
 #include "scenes/generator/modelling.h"
 #include "scenes/generator/surface.h"
 

@@ -6,9 +6,9 @@
 #include <array>
 #include <cstdint>
 
-#include "dspm/colour/rgb.h"
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/system/atomic_file.h"
 #include "dspm/image/png.h"
-#include "dspm/system/atomic_file.h"
 #include "scenes/generator/noise.h"
 #include "scenes/generator/picture.h"
 #include "scenes/generator/subjects.h"

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "dspm/math/vec.h"
+#include "dspm/base/math/vec.h"
 #include "scenes/generator/mesh_file.h"
 #include "scenes/generator/modelling.h"
 #include "scenes/generator/subjects.h"

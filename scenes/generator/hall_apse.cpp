@@ -1,7 +1,7 @@
 // The apse: a half round with five lancet windows under half a dome, and the altar on its steps.
 #include <cmath>
 
-#include "dspm/math/vec.h"
+#include "dspm/base/math/vec.h"
 #include "scenes/generator/hall.h"
 #include "scenes/generator/modelling.h"
 

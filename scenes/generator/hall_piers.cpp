@@ -1,6 +1,6 @@
 // Columns with base and capital between nave and aisles, shafts that carry the nave's ribs from there up to the vault,
 // and responds at the outer walls.
-#include "dspm/math/vec.h"
+#include "dspm/base/math/vec.h"
 #include "scenes/generator/hall.h"
 #include "scenes/generator/modelling.h"
 

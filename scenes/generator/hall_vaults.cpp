@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "dspm/math/vec.h"
+#include "dspm/base/math/vec.h"
 #include "scenes/generator/hall.h"
 #include "scenes/generator/modelling.h"
 

@@ -1,5 +1,5 @@
 // The nave's walls with arcade, blind arcade and upper windows; the outer walls of the aisles; both ends.
-#include "dspm/math/vec.h"
+#include "dspm/base/math/vec.h"
 #include "scenes/generator/hall.h"
 #include "scenes/generator/modelling.h"
 

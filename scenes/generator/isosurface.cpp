@@ -7,8 +7,8 @@
 #include <map>
 #include <utility>
 
-#include "dspm/math/vec.h"
-#include "dspm/system/parallel.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/base/system/parallel.h"
 
 namespace dspm {
 namespace {

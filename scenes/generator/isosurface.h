@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "dspm/math/vec.h"
+#include "dspm/base/math/vec.h"
 #include "dspm/shapes/triangle_mesh.h"
 #include "scenes/generator/simplify.h"
 

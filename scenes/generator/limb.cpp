@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dspm/math/vec.h"
+#include "dspm/base/math/vec.h"
 #include "scenes/generator/surface.h"
 
 namespace dspm {

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "dspm/math/vec.h"
+#include "dspm/base/math/vec.h"
 #include "scenes/generator/modelling.h"
 
 namespace dspm {

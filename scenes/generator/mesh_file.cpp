@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <string>
 
-#include "dspm/math/vec.h"
-#include "dspm/system/atomic_file.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/base/system/atomic_file.h"
 
 namespace dspm {
 namespace {

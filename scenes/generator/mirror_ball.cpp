@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dspm/math/rng.h"
-#include "dspm/math/vec.h"
+#include "dspm/base/math/rng.h"
+#include "dspm/base/math/vec.h"
 #include "scenes/generator/mesh_file.h"
 #include "scenes/generator/subjects.h"
 

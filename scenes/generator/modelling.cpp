@@ -4,7 +4,7 @@
 #include <map>
 #include <tuple>
 
-#include "dspm/math/vec.h"
+#include "dspm/base/math/vec.h"
 
 namespace dspm {
 namespace {

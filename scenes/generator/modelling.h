@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "dspm/math/transform.h"
-#include "dspm/math/vec.h"
+#include "dspm/base/math/transform.h"
+#include "dspm/base/math/vec.h"
 #include "dspm/shapes/triangle_mesh.h"
 
 namespace dspm {

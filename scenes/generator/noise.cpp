@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "dspm/math/rng.h"
+#include "dspm/base/math/rng.h"
 
 namespace dspm {
 

@@ -1,7 +1,7 @@
 // Grey pictures by formulas.
 #pragma once
 
-#include "dspm/colour/rgb.h"
+#include "dspm/base/colour/rgb.h"
 #include "dspm/image/image.h"
 
 namespace dspm {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dspm/colour/rgb.h"
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/vec.h"
 #include "dspm/image/exr.h"
 #include "dspm/image/image.h"
-#include "dspm/math/vec.h"
 #include "scenes/generator/noise.h"
 #include "scenes/generator/subjects.h"
 

@@ -2,7 +2,7 @@
 // side_table.ply, a tray on a stem; vase.ply, of glass. Table and vase stand on the origin. The unit is 10 cm.
 #include <cmath>
 
-#include "dspm/math/vec.h"
+#include "dspm/base/math/vec.h"
 #include "scenes/generator/mesh_file.h"
 #include "scenes/generator/modelling.h"
 #include "scenes/generator/subjects.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dspm/math/vec.h"
+#include "dspm/base/math/vec.h"
 
 namespace dspm {
 namespace {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "dspm/math/vec.h"
+#include "dspm/base/math/vec.h"
 #include "dspm/shapes/triangle_mesh.h"
 
 namespace dspm {

@@ -1,6 +1,6 @@
 // The things around the coffee pot of material.dsc, each on the origin: tumbler.ply, of glass and with a thick bottom,
 // and cup.ply, of china. The unit is 10 cm.
-#include "dspm/math/vec.h"
+#include "dspm/base/math/vec.h"
 #include "scenes/generator/mesh_file.h"
 #include "scenes/generator/modelling.h"
 #include "scenes/generator/subjects.h"

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "dspm/math/vec.h"
+#include "dspm/base/math/vec.h"
 #include "scenes/generator/mesh_file.h"
 #include "scenes/generator/subjects.h"
 #include "scenes/generator/water_waves.h"

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "dspm/math/vec.h"
+#include "dspm/base/math/vec.h"
 
 namespace dspm {
 

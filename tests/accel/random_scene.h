@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "dspm/params/errors.h"
+#include "dspm/base/params/errors.h"
 #include "dspm/shapes/curves.h"
 #include "dspm/shapes/shape.h"
 #include "dspm/shapes/triangle_mesh.h"

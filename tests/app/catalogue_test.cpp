@@ -1,13 +1,13 @@
 // What --list and --describe print: lines in columns.
-#include "dspm/app/catalogue.h"
+#include "dspm/app/tasks/catalogue.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <sstream>
 
-#include "dspm/modules/all_plugins.h"
-#include "dspm/params/errors.h"
+#include "dspm/base/params/errors.h"
+#include "dspm/session/modules/all_plugins.h"
 
 namespace dspm {
 namespace {

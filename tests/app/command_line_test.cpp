@@ -1,8 +1,8 @@
 // What a user meets: exit codes, streams, files.
 #include <gtest/gtest.h>
 
+#include "dspm/base/system/version.h"
 #include "dspm/image/exr.h"
-#include "dspm/system/version.h"
 #include "tests/output/json_check.h"
 #include "tests/support/process.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "dspm/colour/rgb.h"
+#include "dspm/base/colour/rgb.h"
 #include "dspm/image/exr.h"
 #include "dspm/image/image.h"
 #include "tests/support/fake_program.h"

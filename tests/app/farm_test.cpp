@@ -3,9 +3,9 @@
 
 #include <cstdlib>
 
-#include "dspm/checkpoint/checkpoint_file.h"
 #include "dspm/image/exr.h"
 #include "dspm/image/image.h"
+#include "dspm/session/checkpoint/checkpoint_file.h"
 #include "tests/support/process.h"
 
 namespace dspm::test {

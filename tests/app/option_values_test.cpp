@@ -1,4 +1,4 @@
-#include "dspm/app/option_values.h"
+#include "dspm/app/options/option_values.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "dspm/app/options.h"
+#include "dspm/app/options/options.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "dspm/app/progress.h"
+#include "dspm/app/run/progress.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "dspm/system/activity.h"
+#include "dspm/base/system/activity.h"
 #include "tests/output/json_check.h"
 
 namespace dspm {

@@ -1,5 +1,5 @@
 // The watch reports a step that does not end after `patience`, and not before.
-#include "dspm/app/watch.h"
+#include "dspm/app/run/watch.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <chrono>
 #include <thread>
 
-#include "dspm/system/activity.h"
+#include "dspm/base/system/activity.h"
 
 namespace dspm {
 namespace {

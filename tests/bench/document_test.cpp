@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "bench/sections/section.h"
-#include "dspm/system/read_file.h"
+#include "dspm/base/system/read_file.h"
 
 namespace dspm {
 namespace {

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "bench/measure/run.h"
-#include "dspm/system/read_file.h"
+#include "dspm/base/system/read_file.h"
 
 namespace dspm {
 namespace {

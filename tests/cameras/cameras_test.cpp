@@ -1,8 +1,8 @@
 // Rays of the cameras against what geometry says, and against pbrt's chain of matrices.
 #include <gtest/gtest.h>
 
+#include "dspm/base/math/rng.h"
 #include "dspm/cameras/camera.h"
-#include "dspm/math/rng.h"
 #include "tests/lights/params.h"
 
 namespace dspm {

@@ -5,10 +5,10 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "dspm/base/math/rng.h"
+#include "dspm/base/math/sampling.h"
 #include "dspm/cameras/exit_pupil.h"
 #include "dspm/cameras/lens_file.h"
-#include "dspm/math/rng.h"
-#include "dspm/math/sampling.h"
 
 namespace dspm {
 namespace {

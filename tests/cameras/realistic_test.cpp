@@ -3,9 +3,9 @@
 
 #include <numbers>
 
+#include "dspm/base/math/rng.h"
 #include "dspm/cameras/camera.h"
 #include "dspm/image/png.h"
-#include "dspm/math/rng.h"
 #include "tests/lights/params.h"
 #include "tests/support/temporary_directory.h"
 

@@ -1,9 +1,9 @@
 // The camera that sees all around: its directions, its solid angles and where it sees a point.
 #include <gtest/gtest.h>
 
+#include "dspm/base/math/rng.h"
+#include "dspm/base/math/sampling.h"
 #include "dspm/cameras/camera.h"
-#include "dspm/math/rng.h"
-#include "dspm/math/sampling.h"
 #include "tests/lights/params.h"
 
 namespace dspm {

@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "dspm/checkpoint/checkpoint_file.h"
 #include "dspm/image/exr.h"
 #include "dspm/image/image.h"
+#include "dspm/session/checkpoint/checkpoint_file.h"
+#include "dspm/session/job/choices.h"
+#include "dspm/session/job/job.h"
 #include "dspm/testing/test_scene.h"
-#include "dspm/world/choices.h"
-#include "dspm/world/job.h"
 #include "tests/support/process.h"
 
 namespace dspm::test {

@@ -1,6 +1,6 @@
 // Checkpoints as files: whatever was saved last for each interval is what is loaded, however often others were saved
 // in between and the file was replaced.
-#include "dspm/checkpoint/checkpoint_file.h"
+#include "dspm/session/checkpoint/checkpoint_file.h"
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,10 @@
 
 #include <chrono>
 
-#include "dspm/checkpoint/checkpoints.h"
 #include "dspm/image/exr.h"
 #include "dspm/image/image.h"
 #include "dspm/image/png.h"
+#include "dspm/session/checkpoint/checkpoints.h"
 #include "dspm/testing/test_scene.h"
 #include "tests/support/process.h"
 

@@ -1,13 +1,13 @@
 // A guide goes through a file to other runs of its scene, and to no other scene.
-#include "dspm/checkpoint/guide_file.h"
+#include "dspm/session/checkpoint/guide_file.h"
 
 #include <gtest/gtest.h>
 
+#include "dspm/base/system/read_file.h"
 #include "dspm/image/image.h"
-#include "dspm/integrators/file_sample.h"
+#include "dspm/integrators/guiding/file_sample.h"
 #include "dspm/integrators/integrator.h"
 #include "dspm/session/session.h"
-#include "dspm/system/read_file.h"
 #include "tests/support/temporary_directory.h"
 
 namespace dspm::test {

@@ -1,5 +1,5 @@
 // Colour spaces against published matrices and white points.
-#include "dspm/colour/colour_space.h"
+#include "dspm/base/colour/colour_space.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
-#include "dspm/colour/spectrum.h"
+#include "dspm/base/colour/spectrum.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "dspm/colour/sampled_colours.h"
-#include "dspm/colour/spectrum_tables.h"
-#include "dspm/math/vec.h"
+#include "dspm/base/colour/sampled_colours.h"
+#include "dspm/base/colour/spectrum_tables.h"
+#include "dspm/base/math/vec.h"
 
 namespace dspm {
 namespace {

@@ -1,5 +1,5 @@
 // What the joint filter makes of images whose answer is known.
-#include "dspm/denoise/joint_filter.h"
+#include "dspm/image/denoise/joint_filter.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <limits>
 #include <random>
 
-#include "dspm/colour/rgb.h"
-#include "dspm/system/parallel.h"
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/system/parallel.h"
 
 namespace dspm {
 namespace {

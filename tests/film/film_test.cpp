@@ -1,4 +1,4 @@
-#include "dspm/film/film.h"
+#include "dspm/image/film/film.h"
 
 #include <gtest/gtest.h>
 

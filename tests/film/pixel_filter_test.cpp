@@ -1,5 +1,5 @@
 // Offsets must follow the filters' formulas: chi-square tests at a stated level with fixed seeds, and exact quantiles.
-#include "dspm/film/pixel_filter.h"
+#include "dspm/image/film/pixel_filter.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "dspm/math/rng.h"
+#include "dspm/base/math/rng.h"
 #include "dspm/testing/chi2.h"
 
 namespace dspm {

@@ -3,7 +3,7 @@
 #include <unistd.h>
 #include <zlib.h>
 
-#include "dspm/checkpoint/checkpoint_file.h"
+#include "dspm/session/checkpoint/checkpoint_file.h"
 #include "tests/fuzz/target.h"
 #include "tests/support/idle_integrator.h"
 

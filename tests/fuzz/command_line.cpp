@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "dspm/app/options.h"
+#include "dspm/app/options/options.h"
 #include "tests/fuzz/target.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,6 +1,6 @@
 // glTF files, binary or not, with everything that a scene would read of them. No other file is there.
-#include "dspm/gltf/document.h"
-#include "dspm/gltf/translation.h"
+#include "dspm/lang/gltf/document.h"
+#include "dspm/lang/gltf/translation.h"
 #include "tests/fuzz/target.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,5 +1,5 @@
 // Gzip-compressed files, as scenes and meshes may be.
-#include "dspm/system/read_file.h"
+#include "dspm/base/system/read_file.h"
 #include "tests/fuzz/target.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <string>
 
-#include "dspm/serve/access.h"
-#include "dspm/serve/requests.h"
+#include "dspm/looking/serve/access.h"
+#include "dspm/looking/serve/requests.h"
 #include "tests/fuzz/target.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

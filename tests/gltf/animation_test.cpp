@@ -1,13 +1,13 @@
 // Interpolation, poses and the choice of animations.
-#include "dspm/gltf/animation.h"
+#include "dspm/lang/gltf/animation.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "dspm/gltf/extent.h"
-#include "dspm/gltf/poses.h"
+#include "dspm/lang/gltf/extent.h"
+#include "dspm/lang/gltf/poses.h"
 #include "tests/gltf/gltf_file.h"
 
 namespace dspm::gltf {

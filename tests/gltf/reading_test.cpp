@@ -1,10 +1,10 @@
 // Numbers, triangles and faults of glTF files, by hand.
 #include <gtest/gtest.h>
 
-#include "dspm/gltf/accessor.h"
-#include "dspm/gltf/primitive.h"
-#include "dspm/gltf/translation.h"
-#include "dspm/gltf/uri.h"
+#include "dspm/lang/gltf/accessor.h"
+#include "dspm/lang/gltf/primitive.h"
+#include "dspm/lang/gltf/translation.h"
+#include "dspm/lang/gltf/uri.h"
 #include "tests/gltf/gltf_file.h"
 
 namespace dspm::gltf {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dspm/gltf/translation.h"
+#include "dspm/lang/gltf/translation.h"
 #include "dspm/lang/parse.h"
 #include "dspm/session/load.h"
 #include "dspm/shapes/ply.h"

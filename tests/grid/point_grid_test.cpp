@@ -1,5 +1,5 @@
 // The grid against a double loop, on random clouds of every shape.
-#include "dspm/grid/point_grid.h"
+#include "dspm/base/grid/point_grid.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Every distance test that this processor can do against a plain loop.
-#include "dspm/grid/points_within.h"
+#include "dspm/base/grid/points_within.h"
 
 #include <gtest/gtest.h>
 

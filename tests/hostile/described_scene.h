@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "dspm/modules/all_plugins.h"
-#include "dspm/params/errors.h"
+#include "dspm/base/params/errors.h"
+#include "dspm/session/modules/all_plugins.h"
 #include "tests/integrators/scene_files.h"
 
 namespace dspm::test {

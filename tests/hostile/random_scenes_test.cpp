@@ -9,8 +9,8 @@
 #include <set>
 
 #include "dspm/lang/parse.h"
+#include "dspm/session/job/job.h"
 #include "dspm/testing/test_scene.h"
-#include "dspm/world/job.h"
 #include "dspm/world/world.h"
 #include "tests/hostile/described_scene.h"
 

@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "dspm/base/math/vec.h"
 #include "dspm/image/read_picture.h"
-#include "dspm/math/vec.h"
 #include "tests/image/exr_by_hand.h"
 #include "tests/support/temporary_directory.h"
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "dspm/base/math/vec.h"
 #include "dspm/image/encoding.h"
-#include "dspm/math/vec.h"
 #include "tests/support/temporary_directory.h"
 
 namespace dspm {

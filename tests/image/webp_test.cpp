@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "dspm/base/system/atomic_file.h"
 #include "dspm/image/encoding.h"
-#include "dspm/system/atomic_file.h"
 #include "tests/image/image_bytes.h"
 #include "tests/support/temporary_directory.h"
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the rooms of dspm/ and who includes whom, as docs/rooms.svg: draw.py <source directory> > docs/rooms.svg
+"""Draws the rooms and who includes whom, as docs/rooms.svg: draw.py <source directory> > docs/rooms.svg
 
 A room stands above all rooms that it includes. Of the arrows those are left out that follow from others.
 """
@@ -10,13 +10,26 @@ import sys
 WIDTH, HEIGHT, GAP, ROW, MARGIN = 92, 30, 24, 74, 16
 
 
-def includes(folder):
-    """The other rooms that a room includes, by room."""
-    found = {}
-    for room in sorted(path for path in folder.iterdir() if path.is_dir()):
-        texts = [path.read_text() for path in sorted(room.rglob("*")) if path.suffix in (".h", ".cpp")]
-        named = {name for text in texts for name in re.findall(r'^#include "dspm/(\w+)/', text, re.MULTILINE)}
-        found[room.name] = named - {room.name}
+def rooms_of(root):
+    """The folders of the rooms, from the table in docs/design.md."""
+    table = re.search(r"^\| room \|.*\n(?:\|.*\n)+", (root / "docs/design.md").read_text(), re.MULTILINE)[0]
+    return re.findall(r"^\| ([a-z/]+) \|", table, re.MULTILINE)[1:]
+
+
+def includes(root):
+    """The other rooms that a room includes, by room; rooms without their wings."""
+    rooms = sorted(rooms_of(root), key=len)
+
+    def room_of(file):
+        return [room for room in rooms if file.startswith(room + "/")][-1].split("/")[-1]
+
+    found = {room.split("/")[-1]: set() for room in rooms}
+    for folder in {room.split("/")[0] for room in rooms}:
+        for path in (root / folder).rglob("*"):
+            if path.suffix in (".h", ".cpp"):
+                room = room_of(path.relative_to(root).as_posix())
+                named = re.findall(r'^#include "dspm/([\w/]+[.]h)"', path.read_text(), re.MULTILINE)
+                found[room] |= {room_of(file) for file in named} - {room}
     return found
 
 
@@ -118,4 +131,4 @@ def draw(direct):
 
 
 if __name__ == "__main__":
-    sys.stdout.write(draw(includes(pathlib.Path(sys.argv[1]) / "dspm")))
+    sys.stdout.write(draw(includes(pathlib.Path(sys.argv[1]))))

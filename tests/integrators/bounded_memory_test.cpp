@@ -5,12 +5,12 @@
 #include <cmath>
 #include <optional>
 
-#include "dspm/integrators/memory_needs.h"
-#include "dspm/integrators/pixel_statistics.h"
-#include "dspm/system/parallel.h"
+#include "dspm/base/system/parallel.h"
+#include "dspm/integrators/methods/pixel_statistics.h"
+#include "dspm/integrators/photons/memory_needs.h"
+#include "dspm/session/job/choices.h"
+#include "dspm/session/job/job.h"
 #include "dspm/testing/test_scene.h"
-#include "dspm/world/choices.h"
-#include "dspm/world/job.h"
 #include "tests/integrators/random_scene.h"
 
 namespace dspm {

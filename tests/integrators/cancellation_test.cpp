@@ -1,5 +1,5 @@
 // An iteration that is given up has changed nothing: tried again, it gives the same bits.
-#include "dspm/system/cancellation.h"
+#include "dspm/base/system/cancellation.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <string>
 #include <thread>
 
-#include "dspm/integrators/memory_needs.h"
+#include "dspm/base/system/state_in_memory.h"
+#include "dspm/integrators/photons/memory_needs.h"
 #include "dspm/session/revertible.h"
-#include "dspm/system/state_in_memory.h"
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {

@@ -1,5 +1,5 @@
 // What denoisers are told of surfaces in mirrors and behind glass, against analytic values.
-#include "dspm/integrators/clear_sight.h"
+#include "dspm/integrators/transport/clear_sight.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <map>
 
 #include "dspm/image/image.h"
+#include "dspm/session/job/choices.h"
 #include "dspm/testing/test_scene.h"
-#include "dspm/world/choices.h"
 
 namespace dspm {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "dspm/math/sphere_mapping.h"
+#include "dspm/base/math/sphere_mapping.h"
 #include "dspm/testing/agreement.h"
 #include "dspm/testing/promises.h"
 #include "tests/lights/environment.h"

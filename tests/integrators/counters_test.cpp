@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "dspm/base/system/state_in_memory.h"
 #include "dspm/integrators/statistics.h"
-#include "dspm/system/state_in_memory.h"
 
 namespace dspm {
 namespace {

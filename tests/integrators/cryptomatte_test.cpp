@@ -4,12 +4,12 @@
 
 #include <map>
 
-#include "dspm/integrators/coverage_ranks.h"
-#include "dspm/integrators/surface_outputs.h"
-#include "dspm/system/state_in_memory.h"
+#include "dspm/base/system/state_in_memory.h"
+#include "dspm/integrators/beside/coverage_ranks.h"
+#include "dspm/integrators/beside/surface_outputs.h"
+#include "dspm/session/job/choices.h"
+#include "dspm/session/job/job.h"
 #include "dspm/testing/test_scene.h"
-#include "dspm/world/choices.h"
-#include "dspm/world/job.h"
 
 namespace dspm {
 namespace {

@@ -1,13 +1,13 @@
 // Photons, shadow rays and scattered rays share direct light: their weights add up to 1, and rays are traced only where
 // they pay.
-#include "dspm/integrators/direct_balance.h"
+#include "dspm/integrators/photons/direct_balance.h"
 
 #include <gtest/gtest.h>
 
-#include "dspm/integrators/emission_tree.h"
-#include "dspm/integrators/learn_direct.h"
+#include "dspm/integrators/guiding/emission_tree.h"
+#include "dspm/integrators/guiding/learn_direct.h"
+#include "dspm/session/job/job.h"
 #include "dspm/testing/test_scene.h"
-#include "dspm/world/job.h"
 
 namespace dspm::test {
 namespace {

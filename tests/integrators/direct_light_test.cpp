@@ -1,5 +1,5 @@
 // Samples of direct light: of as many lights as there are, whichever outshines the others.
-#include "dspm/integrators/direct_light.h"
+#include "dspm/integrators/transport/direct_light.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

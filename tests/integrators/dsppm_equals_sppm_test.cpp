@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "dspm/session/job/choices.h"
 #include "dspm/testing/test_scene.h"
-#include "dspm/world/choices.h"
 #include "tests/integrators/random_scene.h"
 #include "tests/support/seeds.h"
 

@@ -1,12 +1,12 @@
 // A guide draws what its density says, is fine where paths were found, and loses no light.
-#include "dspm/integrators/emission_guide.h"
+#include "dspm/integrators/photons/emission_guide.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "dspm/integrators/emission_tree.h"
-#include "dspm/system/state_in_memory.h"
+#include "dspm/base/system/state_in_memory.h"
+#include "dspm/integrators/guiding/emission_tree.h"
 
 namespace dspm {
 namespace {

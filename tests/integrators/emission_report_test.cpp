@@ -6,10 +6,10 @@
 
 #include <cmath>
 
+#include "dspm/base/system/state_in_memory.h"
 #include "dspm/integrators/statistics.h"
-#include "dspm/system/state_in_memory.h"
+#include "dspm/session/job/job.h"
 #include "dspm/testing/test_scene.h"
-#include "dspm/world/job.h"
 
 namespace dspm {
 namespace {

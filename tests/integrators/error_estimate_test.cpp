@@ -1,5 +1,5 @@
 // The estimated error against the true one.
-#include "dspm/integrators/error_estimate.h"
+#include "dspm/integrators/beside/error_estimate.h"
 
 #include <gtest/gtest.h>
 
@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "dspm/base/math/rng.h"
 #include "dspm/image/image.h"
 #include "dspm/integrators/integrator.h"
-#include "dspm/math/rng.h"
+#include "dspm/session/job/choices.h"
 #include "dspm/testing/scenes.h"
 #include "dspm/testing/test_scene.h"
-#include "dspm/world/choices.h"
 
 namespace dspm::test {
 namespace {

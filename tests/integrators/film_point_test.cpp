@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "dspm/math/sampling.h"
+#include "dspm/base/math/sampling.h"
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "dspm/integrators/camera_path.h"
+#include "dspm/integrators/transport/camera_path.h"
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {

@@ -1,5 +1,5 @@
 // Four frames side by side against PixelStatistics, their twin, on random photons: the same bits.
-#include "dspm/integrators/dsppm/four_frames.h"
+#include "dspm/integrators/methods/dsppm/four_frames.h"
 
 #include <gtest/gtest.h>
 

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <numbers>
 
-#include "dspm/colour/rgb.h"
+#include "dspm/base/colour/rgb.h"
 #include "dspm/image/image.h"
-#include "dspm/integrators/learn_emission.h"
+#include "dspm/integrators/guiding/learn_emission.h"
+#include "dspm/session/job/job.h"
 #include "dspm/testing/agreement.h"
 #include "dspm/testing/promises.h"
 #include "dspm/testing/test_scene.h"
-#include "dspm/world/job.h"
 
 namespace dspm::test {
 namespace {

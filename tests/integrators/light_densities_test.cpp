@@ -1,15 +1,15 @@
 // Vertex connection and merging knows where the guide starts light paths: both ends of a path tell the same densities.
-#include "dspm/integrators/vcm/light_densities.h"
+#include "dspm/integrators/methods/vcm/light_densities.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "dspm/integrators/emission_tree.h"
-#include "dspm/integrators/photon.h"
+#include "dspm/integrators/guiding/emission_tree.h"
+#include "dspm/integrators/photons/photon.h"
+#include "dspm/session/job/job.h"
 #include "dspm/testing/test_scene.h"
-#include "dspm/world/job.h"
 
 namespace dspm::test {
 namespace {

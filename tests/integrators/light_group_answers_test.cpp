@@ -5,10 +5,10 @@
 #include <array>
 #include <cmath>
 
+#include "dspm/session/job/choices.h"
 #include "dspm/testing/agreement.h"
 #include "dspm/testing/compare.h"
 #include "dspm/testing/test_scene.h"
-#include "dspm/world/choices.h"
 
 namespace dspm::test {
 namespace {

@@ -5,13 +5,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "dspm/integrators/memory_needs.h"
-#include "dspm/params/errors.h"
-#include "dspm/system/parallel.h"
-#include "dspm/system/state_in_memory.h"
+#include "dspm/base/params/errors.h"
+#include "dspm/base/system/parallel.h"
+#include "dspm/base/system/state_in_memory.h"
+#include "dspm/integrators/photons/memory_needs.h"
+#include "dspm/session/job/choices.h"
+#include "dspm/session/job/job.h"
 #include "dspm/testing/test_scene.h"
-#include "dspm/world/choices.h"
-#include "dspm/world/job.h"
 
 namespace dspm {
 namespace {

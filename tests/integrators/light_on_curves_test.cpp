@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "dspm/session/job/choices.h"
 #include "dspm/testing/agreement.h"
 #include "dspm/testing/compare.h"
 #include "dspm/testing/promises.h"
 #include "dspm/testing/test_scene.h"
-#include "dspm/world/choices.h"
 #include "tests/support/seeds.h"
 
 namespace dspm::test {

@@ -15,10 +15,10 @@
 #include <stdexcept>
 #include <vector>
 
+#include "dspm/base/math/sampling.h"
+#include "dspm/base/system/parallel.h"
 #include "dspm/image/image.h"
-#include "dspm/math/sampling.h"
-#include "dspm/scene/scene.h"
-#include "dspm/system/parallel.h"
+#include "dspm/world/scene/scene.h"
 
 namespace dspm::test {
 

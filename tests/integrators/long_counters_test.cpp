@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "dspm/system/state_in_memory.h"
+#include "dspm/base/system/state_in_memory.h"
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {

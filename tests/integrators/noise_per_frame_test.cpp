@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "dspm/colour/rgb.h"
+#include "dspm/base/colour/rgb.h"
 #include "dspm/image/image.h"
 #include "dspm/testing/promises.h"
 #include "dspm/testing/test_scene.h"

@@ -1,5 +1,5 @@
 // The update rule against numbers worked out by hand from [WG12 (1)-(5)].
-#include "dspm/integrators/pixel_statistics.h"
+#include "dspm/integrators/methods/pixel_statistics.h"
 
 #include <gtest/gtest.h>
 

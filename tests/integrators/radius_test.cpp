@@ -7,10 +7,10 @@
 
 #include <cmath>
 
-#include "dspm/integrators/estimator.h"
-#include "dspm/integrators/memory_needs.h"
+#include "dspm/integrators/methods/estimator.h"
+#include "dspm/integrators/photons/memory_needs.h"
+#include "dspm/session/job/choices.h"
 #include "dspm/testing/test_scene.h"
-#include "dspm/world/choices.h"
 
 namespace dspm::test {
 namespace {

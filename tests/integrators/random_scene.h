@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-#include "dspm/math/frames.h"
+#include "dspm/base/math/frames.h"
 #include "tests/integrators/scene_files.h"
 
 namespace dspm::test {

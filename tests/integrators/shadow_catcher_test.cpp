@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "dspm/base/params/errors.h"
+#include "dspm/base/system/state_in_memory.h"
+#include "dspm/integrators/beside/surface_output_list.h"
 #include "dspm/integrators/caught_light.h"
-#include "dspm/integrators/surface_output_list.h"
-#include "dspm/params/errors.h"
-#include "dspm/system/state_in_memory.h"
 #include "dspm/testing/test_scene.h"
 
 namespace dspm {

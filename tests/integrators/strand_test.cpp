@@ -1,4 +1,4 @@
-#include "dspm/integrators/strand.h"
+#include "dspm/integrators/transport/strand.h"
 
 #include <gtest/gtest.h>
 

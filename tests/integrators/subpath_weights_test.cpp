@@ -1,6 +1,6 @@
 // The weights of vertex connection and merging: one path, found in every way, has weights that sum to 1, each of them
 // its way's density over the sum of all.
-#include "dspm/integrators/vcm/subpath_weights.h"
+#include "dspm/integrators/methods/vcm/subpath_weights.h"
 
 #include <gtest/gtest.h>
 

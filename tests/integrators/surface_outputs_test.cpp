@@ -1,5 +1,5 @@
 // Outputs of what the camera sees first, for every integrator and all frames at once, against analytic values.
-#include "dspm/integrators/surface_outputs.h"
+#include "dspm/integrators/beside/surface_outputs.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,13 +8,13 @@
 #include <cmath>
 #include <map>
 
+#include "dspm/base/system/parallel.h"
+#include "dspm/base/system/state_in_memory.h"
 #include "dspm/image/image.h"
-#include "dspm/integrators/memory_needs.h"
-#include "dspm/system/parallel.h"
-#include "dspm/system/state_in_memory.h"
+#include "dspm/integrators/photons/memory_needs.h"
+#include "dspm/session/job/choices.h"
+#include "dspm/session/job/job.h"
 #include "dspm/testing/test_scene.h"
-#include "dspm/world/choices.h"
-#include "dspm/world/job.h"
 
 namespace dspm {
 namespace {

@@ -1,16 +1,16 @@
 // The estimated variance of pixels against the spread of runs with other seeds.
-#include "dspm/integrators/variance_output.h"
+#include "dspm/integrators/beside/variance_output.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "dspm/colour/rgb.h"
+#include "dspm/base/colour/rgb.h"
 #include "dspm/image/image.h"
+#include "dspm/session/job/choices.h"
 #include "dspm/testing/scenes.h"
 #include "dspm/testing/test_scene.h"
-#include "dspm/world/choices.h"
 
 namespace dspm::test {
 namespace {

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <sstream>
 
+#include "dspm/base/system/read_file.h"
 #include "dspm/lang/formatter.h"
 #include "dspm/lang/upgrade.h"
-#include "dspm/system/read_file.h"
 #include "tests/lang/parsing.h"
 
 namespace dspm::test {

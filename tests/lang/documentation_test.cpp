@@ -2,9 +2,9 @@
 // follows.
 #include <fstream>
 
+#include "dspm/base/system/read_file.h"
 #include "dspm/lang/directives.h"
 #include "dspm/lang/formatter.h"
-#include "dspm/system/read_file.h"
 #include "tests/lang/parsing.h"
 
 namespace dspm::test {

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "dspm/math/sampling.h"
+#include "dspm/base/math/sampling.h"
 #include "dspm/testing/chi2.h"
 #include "tests/lights/random.h"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "dspm/params/params.h"
-#include "dspm/params/registry.h"
+#include "dspm/base/params/params.h"
+#include "dspm/base/params/registry.h"
 
 namespace dspm::test {
 

@@ -1,7 +1,7 @@
 // Random numbers in sequence, for tests.
 #pragma once
 
-#include "dspm/math/rng.h"
+#include "dspm/base/math/rng.h"
 
 namespace dspm::test {
 

@@ -3,9 +3,9 @@
 
 #include <fstream>
 
+#include "dspm/base/math/sampling.h"
+#include "dspm/base/math/sphere_mapping.h"
 #include "dspm/lights/ies.h"
-#include "dspm/math/sampling.h"
-#include "dspm/math/sphere_mapping.h"
 #include "tests/lights/environment.h"
 #include "tests/lights/lamps.h"
 

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <thread>
 
-#include "dspm/colour/rgb.h"
+#include "dspm/base/colour/rgb.h"
 #include "tests/looking/tev_server.h"
 #include "tests/support/process.h"
 

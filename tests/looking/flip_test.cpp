@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-#include "dspm/colour/rgb.h"
+#include "dspm/base/colour/rgb.h"
 
 namespace dspm {
 namespace {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <random>
 
+#include "dspm/base/params/errors.h"
 #include "dspm/image/encoding.h"
 #include "dspm/image/exr.h"
 #include "dspm/image/png.h"
@@ -14,7 +15,6 @@
 #include "dspm/looking/false_colour.h"
 #include "dspm/looking/flicker.h"
 #include "dspm/looking/shown_file.h"
-#include "dspm/params/errors.h"
 #include "tests/support/fake_ffmpeg.h"
 #include "tests/support/temporary_directory.h"
 

@@ -11,7 +11,7 @@
 #include <map>
 #include <thread>
 
-#include "dspm/colour/rgb.h"
+#include "dspm/base/colour/rgb.h"
 #include "dspm/image/encoding.h"
 #include "dspm/image/png.h"
 #include "dspm/looking/preview.h"

@@ -1,5 +1,5 @@
 // The leader's book, without machines.
-#include "dspm/machines/desk.h"
+#include "dspm/session/machines/desk.h"
 
 #include <gtest/gtest.h>
 

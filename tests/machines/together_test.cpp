@@ -9,12 +9,12 @@
 #include <mutex>
 #include <thread>
 
-#include "dspm/machines/block_state.h"
-#include "dspm/machines/helper.h"
-#include "dspm/machines/leader.h"
-#include "dspm/scene/scene.h"
+#include "dspm/base/system/cancellation.h"
+#include "dspm/session/machines/block_state.h"
+#include "dspm/session/machines/helper.h"
+#include "dspm/session/machines/leader.h"
 #include "dspm/session/session.h"
-#include "dspm/system/cancellation.h"
+#include "dspm/world/scene/scene.h"
 
 namespace dspm::test {
 namespace {

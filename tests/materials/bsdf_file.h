@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "dspm/base/math/vec.h"
 #include "dspm/materials/bilinear_warp.h"
 #include "dspm/materials/fresnel.h"
 #include "dspm/materials/microfacet.h"
-#include "dspm/math/vec.h"
 
 namespace dspm::test {
 

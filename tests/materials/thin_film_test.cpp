@@ -6,8 +6,8 @@
 #include <array>
 #include <complex>
 
-#include "dspm/colour/interference.h"
-#include "dspm/colour/observer.h"
+#include "dspm/base/colour/interference.h"
+#include "dspm/base/colour/observer.h"
 #include "dspm/materials/fresnel.h"
 
 namespace dspm {

@@ -1,4 +1,4 @@
-#include "dspm/math/frame_lanes.h"
+#include "dspm/base/math/frame_lanes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // A frame of the file, a frame of the interval and a moment are not taken for one another.
-#include "dspm/math/frames.h"
+#include "dspm/base/math/frames.h"
 
 #include <gtest/gtest.h>
 

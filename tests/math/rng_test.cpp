@@ -1,6 +1,6 @@
 // Randomness must be uniform and independent along every one of its inputs, each alone and all of them together. Seeds
 // are fixed; a right generator would fail any of the statistical tests here with a chance of about 1 in 100.
-#include "dspm/math/rng.h"
+#include "dspm/base/math/rng.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Every warp is checked in two ways: what it yields lies where it should, and the mean of known functions under uniform
 // numbers equals their integral against the density. The numbers are a lattice, so a pass is a pass; on n = 10^6 points
 // its error for these smooth functions is far below the tolerance of 2e-3.
-#include "dspm/math/sampling.h"
+#include "dspm/base/math/sampling.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Sections are found in real libraries, and files that are none are told.
-#include "dspm/modules/elf_section.h"
+#include "dspm/session/modules/elf_section.h"
 
 #include <gtest/gtest.h>
 
-#include "dspm/modules/stamp.h"
+#include "dspm/session/modules/stamp.h"
 #include "tests/support/temporary_directory.h"
 
 namespace dspm::test {

@@ -27,20 +27,30 @@ build() {  # folder: configures, builds and tests it
 stable_headers() {
   local stable header included
   stable=$(sed -n '/^set(public_headers/,/^set(toolkit_headers/p' "$source_dir/cmake/public_headers.cmake" |
-    grep -oE '[a-z_]+/[a-z0-9_]+\.h')
+    grep -oE '[a-z_/]+/[a-z0-9_]+\.h')
   for header in $stable; do
     for included in $(grep -oE '^#include [<"]dspm/[^>"]+' "$include/$header" | sed 's|.*dspm/||'); do
-      [[ $included == modules/interface.h || " "$stable" " == *[[:space:]]"$included"[[:space:]]* ]] ||
+      [[ $included == session/modules/interface.h || " "$stable" " == *[[:space:]]"$included"[[:space:]]* ]] ||
         fail "$header is stable and includes $included, which is not"
     done
   done
+}
+
+# A header's path of before the rooms had wings still works, and the compiler says what to write.
+old_paths() {
+  local said
+  said=$(echo '#include <dspm/math/vec.h>' | $compiler $flags -fsyntax-only - 2>&1) ||
+    fail "<dspm/math/vec.h> no longer works: $said"
+  [[ $said == *'write <dspm/base/math/vec.h>'* ]] || fail "of <dspm/math/vec.h> the compiler says: $said"
+  grep -rlq '^#include <dspm/integrators/photons/gather.h>' "$include/integrators" ||
+    fail "there is no <dspm/integrators/gather.h>"
 }
 
 # Those that the build has not compiled alone, as the first line of a source file of their name.
 not_yet_compiled() {
   local header source
   while read -r header; do
-    source=$source_dir/dspm/${header%.h}.cpp
+    source=$source_dir/${header%.h}.cpp
     [[ -f $source && $(grep -m 1 '^#include' "$source") == "#include \"dspm/$header\"" ]] || echo "$header"
   done <"$work/headers"
 }
@@ -52,10 +62,11 @@ headers() {
   for included in $(grep -rhoE '^#include [<"]dspm/[^>"]+' "$include" | sed 's|.*dspm/||' | sort -u); do
     [[ -f $include/$included ]] || fail "$included is included and not installed"
   done
-  find "$include" -name '*.h' -printf '%P\n' >"$work/headers"
+  (cd "$include" && grep -rL '^#pragma message' --include '*.h' . | cut -c 3-) >"$work/headers"
   not_yet_compiled | xargs -P "$(nproc)" -I {} sh -c "echo '#include <dspm/{}>' | $compiler $flags -fsyntax-only -" ||
     fail "a header does not compile alone"
   stable_headers
+  old_paths
   (($(wc -l <"$work/headers") > 40)) || fail "too few headers are installed"
 }
 
@@ -97,11 +108,11 @@ projects() { each project integrator material shape texture light area-light cam
 # dspm's own plugins, one of each kind, with nothing changed but where they are registered, give the same images.
 moved() {
   local folder=$work/moved files="materials/dielectric.cpp shapes/sphere.cpp textures/checkerboard.cpp lights/spot.cpp
-    cameras/perspective.cpp accel/brute_force.cpp integrators/dsppm/dsppm.cpp integrators/dsppm/hj09.cpp
-    integrators/dsppm/kz11.cpp" file
-  for file in $files integrators/dsppm/dsppm.h integrators/dsppm/four_frames.h accel/brute_force.h; do
+    cameras/perspective.cpp accel/brute_force.cpp integrators/methods/dsppm/dsppm.cpp integrators/methods/dsppm/hj09.cpp
+    integrators/methods/dsppm/kz11.cpp" file
+  for file in $files integrators/methods/dsppm/dsppm.h integrators/methods/dsppm/four_frames.h accel/brute_force.h; do
     mkdir -p "$folder/dspm/$(dirname "$file")"
-    cp "$source_dir/dspm/$file" "$folder/dspm/$file"
+    cp "$source_dir/$file" "$folder/dspm/$file"
   done
   cp "$source_dir/tests/modules/moved/"* "$folder/"
   build "$folder"

@@ -19,7 +19,7 @@ done
 [[ $depends != *-dev* ]] || fail "the package depends on headers: $depends"
 
 dpkg-deb --extract "$deb" "$work/root"
-for file in bin/dspm lib/libdspm.so lib/cmake/dspm/dspmConfig.cmake include/dspm/modules/module.h \
+for file in bin/dspm lib/libdspm.so lib/cmake/dspm/dspmConfig.cmake include/dspm/session/modules/module.h \
   include/dspm/testing/agreement.h share/doc/dspm/copyright; do
   [[ -e $work/root/usr/$file ]] || fail "the package lacks usr/$file"
 done

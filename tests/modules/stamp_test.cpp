@@ -1,5 +1,5 @@
 // A stamp is told from one that is not this dspm's.
-#include "dspm/modules/stamp.h"
+#include "dspm/session/modules/stamp.h"
 
 #include <gtest/gtest.h>
 

@@ -14,8 +14,8 @@ sys.dont_write_bytecode = True  # no folder of its own among the sources
 import mutant as lists
 
 SEED = "18"
-ROOT = pathlib.Path(__file__).resolve().parents[2] / "dspm"
-ROOMS = {"accel": 12, "app": 8, "cameras": 7, "checkpoint": 7, "film": 5, "grid": 5, "integrators": 35, "lang": 16,
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+ROOMS = {"accel": 12, "app": 8, "cameras": 7, "session/checkpoint": 7, "image/film": 5, "base/grid": 5, "integrators": 35, "lang": 16,
          "lights": 14, "materials": 15, "output": 14, "session": 8, "shapes": 18, "textures": 9, "world": 16}
 MOST_A_FILE = 3
 
@@ -90,12 +90,17 @@ def is_fresh(mutant):
     return path.is_file() and path.read_text().count(mutant.old) == 1
 
 
+def room_of(file):
+    """The nearest of the folders that it lies in."""
+    return max((room for room in ROOMS if file.startswith(room + "/")), key=len, default=None)
+
+
 def draw(room, count, drawn):
     """Adds to what was drawn earlier."""
     # A rule that many lines obey must not fill the list: each in turn gives its next mutant.
     by_rule = {rule: [] for rule in RULES}
     for path in sorted((ROOT / room).rglob("*")):
-        if path.suffix in (".h", ".cpp"):
+        if path.suffix in (".h", ".cpp") and room_of(path.relative_to(ROOT).as_posix()) == room:
             for mutant in candidates(path):
                 by_rule[mutant.sentence].append(mutant)
     turns = sorted((turn, order_of(mutant), mutant) for each in by_rule.values()
@@ -111,12 +116,12 @@ def main():
     earlier = [mutant for path in sorted((lists.LISTS / "by_rule").glob("*.txt")) for mutant in lists.read_list(path)]
     for room, count in ROOMS.items():
         records = ["# Made by generate.py, which keeps what is added to its records.\n"]
-        for mutant in draw(room, count, [m for m in earlier if m.file.split("/")[0] == room and is_fresh(m)]):
+        for mutant in draw(room, count, [m for m in earlier if room_of(m.file) == room and is_fresh(m)]):
             record = f"\n{mutant.file}: {mutant.sentence}\n  - {mutant.old}\n  + {mutant.new}\n"
             record += f"  try {' '.join(mutant.tests)}\n" if mutant.tests else ""
             record += f"  equivalent: {mutant.equivalent}\n" if mutant.equivalent else ""
             records.append(record)
-        (lists.LISTS / "by_rule" / f"{room}.txt").write_text("".join(records))
+        (lists.LISTS / "by_rule" / f"{pathlib.Path(room).name}.txt").write_text("".join(records))
 
 
 if __name__ == "__main__":

@@ -13,7 +13,7 @@ class Stale(Exception):
 @dataclasses.dataclass
 class Mutant:
     place: str  # of the record: list:line
-    file: str  # in the folder dspm
+    file: str  # from the top level on
     sentence: str  # what goes wrong; of a mutant by rule: the rule
     old: str = ""
     new: str = ""
@@ -22,7 +22,7 @@ class Mutant:
 
     @property
     def path(self):
-        return f"dspm/{self.file}"
+        return self.file
 
     @property
     def key(self):

@@ -73,9 +73,9 @@ def stale_ones(mutants, tree):
 def tests_to_try(mutant, tests, dependents):
     """Those that the mutant names, then those of its room, then the others that depend on its file; quickest first."""
     named = [tests[name] for name in mutant.tests]
-    room = mutant.file.split("/")[0]
+    rooms = mutant.file.split("/")[:-1]  # tests are named without wings
     others = [t for t in tests.values() if t.name in dependents and t not in named and t.seconds < SLOW]
-    return named, sorted(others, key=lambda t: (not t.name.startswith(room + "/"), t.seconds))
+    return named, sorted(others, key=lambda t: (t.name.split("/")[0] not in rooms, t.seconds))
 
 
 def try_mutant(tree, mutant, named, others):

@@ -120,8 +120,9 @@ class Tree:
         links, sources = self.links(), {}  # by object
         for line in self.ninja("-t", "deps").stdout.splitlines():
             if line.startswith("    "):
-                if line.startswith(f"    {self.sources}/"):
-                    files.append(os.path.relpath(line.strip(), self.sources))
+                file = line.strip().replace(f"{self.build_folder}/include/dspm/", f"{self.sources}/")
+                if file.startswith(f"{self.sources}/"):
+                    files.append(os.path.relpath(file, self.sources))
             elif line:
                 files = sources.setdefault(line.split(": ")[0], [])
         names = {}

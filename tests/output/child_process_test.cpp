@@ -1,4 +1,4 @@
-#include "dspm/output/child_process.h"
+#include "dspm/base/system/child_process.h"
 
 #include <gtest/gtest.h>
 

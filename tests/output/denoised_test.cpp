@@ -5,11 +5,11 @@
 
 #include <cmath>
 
-#include "dspm/colour/rgb.h"
+#include "dspm/base/colour/rgb.h"
 #include "dspm/image/image.h"
+#include "dspm/session/job/choices.h"
+#include "dspm/session/job/job.h"
 #include "dspm/testing/test_scene.h"
-#include "dspm/world/choices.h"
-#include "dspm/world/job.h"
 
 namespace dspm {
 namespace {

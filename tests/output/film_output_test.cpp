@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "dspm/image/image.h"
-#include "dspm/modules/all_plugins.h"
 #include "dspm/output/contact_sheet.h"
+#include "dspm/session/modules/all_plugins.h"
 #include "tests/support/fake_ffmpeg.h"
 #include "tests/support/process.h"
 

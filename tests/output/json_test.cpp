@@ -1,4 +1,4 @@
-#include "dspm/output/json.h"
+#include "dspm/base/system/json.h"
 
 #include <gtest/gtest.h>
 

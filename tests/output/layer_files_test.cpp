@@ -5,8 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "dspm/base/math/vec.h"
 #include "dspm/image/exr.h"
-#include "dspm/math/vec.h"
 #include "tests/support/process.h"
 
 namespace dspm::test {

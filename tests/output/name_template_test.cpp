@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "dspm/params/errors.h"
+#include "dspm/base/params/errors.h"
 
 namespace dspm {
 namespace {

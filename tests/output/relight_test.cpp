@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "dspm/base/params/errors.h"
 #include "dspm/image/exr.h"
 #include "dspm/output/group_factor.h"
-#include "dspm/params/errors.h"
 #include "tests/support/process.h"
 
 namespace dspm::test {

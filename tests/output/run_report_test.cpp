@@ -1,4 +1,4 @@
-#include "dspm/output/run_report.h"
+#include "dspm/output/report/run_report.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "dspm/output/scaling_table.h"
+#include "dspm/output/report/scaling_table.h"
 
 #include <gtest/gtest.h>
 
-#include "dspm/output/run_report.h"
+#include "dspm/output/report/run_report.h"
 
 namespace dspm {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <numeric>
 
-#include "dspm/colour/rgb.h"
+#include "dspm/base/colour/rgb.h"
 #include "dspm/image/image.h"
 #include "dspm/lang/parse.h"
 #include "tests/support/temporary_directory.h"

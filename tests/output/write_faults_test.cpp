@@ -5,7 +5,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "dspm/system/atomic_file.h"
+#include "dspm/base/system/atomic_file.h"
 
 namespace dspm {
 namespace {

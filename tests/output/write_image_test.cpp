@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "dspm/colour/rgb.h"
+#include "dspm/base/colour/rgb.h"
 #include "tests/support/temporary_directory.h"
 
 namespace dspm {

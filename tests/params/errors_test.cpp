@@ -1,5 +1,5 @@
 // What the user sees of a mistake.
-#include "dspm/params/errors.h"
+#include "dspm/base/params/errors.h"
 
 #include <gtest/gtest.h>
 

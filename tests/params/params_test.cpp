@@ -1,11 +1,11 @@
-#include "dspm/params/params.h"
+#include "dspm/base/params/params.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
-#include "dspm/params/registry.h"
+#include "dspm/base/params/registry.h"
 
 namespace dspm {
 namespace {

@@ -1,5 +1,5 @@
 // Who may use the page.
-#include "dspm/serve/access.h"
+#include "dspm/looking/serve/access.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Pictures between threads.
-#include "dspm/serve/gallery.h"
+#include "dspm/looking/serve/gallery.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What the page gets holds the image.
-#include "dspm/serve/picture.h"
+#include "dspm/looking/serve/picture.h"
 
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -9,7 +9,7 @@
 #include <limits>
 #include <random>
 
-#include "dspm/colour/rgb.h"
+#include "dspm/base/colour/rgb.h"
 
 namespace dspm {
 namespace {

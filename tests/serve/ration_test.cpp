@@ -1,4 +1,4 @@
-#include "dspm/serve/ration.h"
+#include "dspm/looking/serve/ration.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "dspm/serve/requests.h"
+#include "dspm/looking/serve/requests.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The page's server and everything that may be asked of it.
-#include "dspm/serve/server.h"
+#include "dspm/looking/serve/server.h"
 
 #include <gtest/gtest.h>
 

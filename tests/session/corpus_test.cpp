@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
+#include "dspm/base/system/read_file.h"
 #include "dspm/session/load.h"
-#include "dspm/system/read_file.h"
 
 namespace dspm {
 namespace {

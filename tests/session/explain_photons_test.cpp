@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "dspm/image/image.h"
-#include "dspm/integrators/file_sample.h"
+#include "dspm/integrators/guiding/file_sample.h"
 #include "dspm/integrators/integrator.h"
 #include "dspm/session/session.h"
 

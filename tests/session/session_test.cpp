@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "dspm/base/system/cancellation.h"
 #include "dspm/image/image.h"
-#include "dspm/system/cancellation.h"
 #include "dspm/testing/test_scene.h"
 #include "tests/support/idle_integrator.h"
 
@@ -173,7 +173,7 @@ int begun_when_cancelled(double long_iteration) {
 
 TEST_F(SessionWithStumbles, ACancelledIterationLeavesNoTrace) { EXPECT_EQ(begun_when_cancelled(0), 3); }
 
-// Nor would they be cancelled by a signal: system/cancellation.h.
+// Nor would they be cancelled by a signal: base/system/cancellation.h.
 TEST_F(SessionWithStumbles, ShortIterationsAreNotCopied) { EXPECT_EQ(begun_when_cancelled(5), 4); }
 
 TEST_F(SessionWithStumbles, StatesThatAreMostOfTheMemoryAreNotCopied) {

@@ -8,7 +8,7 @@
 #include <bit>
 #include <vector>
 
-#include "dspm/system/parallel.h"
+#include "dspm/base/system/parallel.h"
 #include "tests/shapes/random.h"
 
 namespace dspm {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "dspm/math/vec.h"
+#include "dspm/base/math/vec.h"
 
 namespace dspm::test {
 

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "dspm/math/sampling.h"
+#include "dspm/base/math/sampling.h"
 #include "tests/shapes/meshes.h"
 #include "tests/shapes/placed.h"
 #include "tests/shapes/random.h"

@@ -1,4 +1,4 @@
-#include "dspm/system/atomic_file.h"
+#include "dspm/base/system/atomic_file.h"
 
 #include <gtest/gtest.h>
 #include <signal.h>

@@ -1,5 +1,5 @@
 // Who is cancelled by what.
-#include "dspm/system/cancellation.h"
+#include "dspm/base/system/cancellation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What a container or a scheduler leaves of the processors.
-#include "dspm/system/cpu_quota.h"
+#include "dspm/base/system/cpu_quota.h"
 
 #include <gtest/gtest.h>
 

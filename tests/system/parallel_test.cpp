@@ -1,4 +1,4 @@
-#include "dspm/system/parallel.h"
+#include "dspm/base/system/parallel.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Texts as programs write them.
-#include "dspm/system/plain_text.h"
+#include "dspm/base/system/plain_text.h"
 
 #include <gtest/gtest.h>
 

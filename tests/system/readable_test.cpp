@@ -1,4 +1,4 @@
-#include "dspm/system/readable.h"
+#include "dspm/base/system/readable.h"
 
 #include <gtest/gtest.h>
 

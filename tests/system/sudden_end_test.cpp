@@ -1,4 +1,4 @@
-#include "dspm/system/sudden_end.h"
+#include "dspm/base/system/sudden_end.h"
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -8,8 +8,8 @@
 #include <list>
 #include <vector>
 
-#include "dspm/output/child_process.h"
-#include "dspm/system/atomic_file.h"
+#include "dspm/base/system/atomic_file.h"
+#include "dspm/base/system/child_process.h"
 #include "tests/support/temporary_directory.h"
 
 namespace dspm {

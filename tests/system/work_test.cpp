@@ -1,9 +1,9 @@
-#include "dspm/system/work.h"
+#include "dspm/base/system/work.h"
 
 #include <gtest/gtest.h>
 #include <time.h>
 
-#include "dspm/system/parallel.h"
+#include "dspm/base/system/parallel.h"
 
 namespace dspm {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "dspm/math/rng.h"
+#include "dspm/base/math/rng.h"
 #include "dspm/testing/scenes.h"
 
 namespace dspm::test {

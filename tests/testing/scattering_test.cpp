@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "dspm/base/math/sampling.h"
+#include "dspm/base/params/errors.h"
 #include "dspm/materials/shading_frame.h"
-#include "dspm/math/sampling.h"
-#include "dspm/params/errors.h"
 
 namespace dspm::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "dspm/params/errors.h"
+#include "dspm/base/params/errors.h"
 #include "dspm/testing/scenes.h"
 #include "dspm/testing/test_scene.h"
 

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "dspm/params/errors.h"
+#include "dspm/base/params/errors.h"
 #include "dspm/session/load.h"
 #include "dspm/testing/test_scene.h"
 

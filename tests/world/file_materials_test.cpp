@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "dspm/colour/rgb.h"
-#include "dspm/params/errors.h"
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/params/errors.h"
 #include "dspm/testing/test_scene.h"
 #include "tests/support/temporary_directory.h"
 

@@ -1,5 +1,5 @@
 // Which integrator renders: names that several renderers use for different things.
-#include "dspm/world/integrator_choice.h"
+#include "dspm/session/job/integrator_choice.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,11 +1,11 @@
 // What comes of a scene's directives and the command line's options: which of them goes first, and what they come to.
-#include "dspm/world/job.h"
+#include "dspm/session/job/job.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "dspm/session/job/integrator_choice.h"
 #include "dspm/testing/test_scene.h"
-#include "dspm/world/integrator_choice.h"
 
 namespace dspm {
 namespace {

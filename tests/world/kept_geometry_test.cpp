@@ -1,5 +1,5 @@
 // What is kept of a scene's geometry for the next one: nothing that changed, and all that did not.
-#include "dspm/world/kept_geometry.h"
+#include "dspm/world/objects/kept_geometry.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <chrono>
 #include <thread>
 
+#include "dspm/base/math/frames.h"
 #include "dspm/lang/parse.h"
-#include "dspm/math/frames.h"
 #include "dspm/world/world.h"
 #include "tests/support/temporary_directory.h"
 

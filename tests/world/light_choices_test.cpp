@@ -1,5 +1,5 @@
 // Which frames choose lights for their photon paths alike.
-#include "dspm/world/light_choices.h"
+#include "dspm/world/lighting/light_choices.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "dspm/integrators/direct_light.h"
+#include "dspm/integrators/transport/direct_light.h"
 #include "dspm/lights/light.h"
 #include "dspm/testing/test_scene.h"
 

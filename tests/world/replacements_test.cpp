@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "dspm/session/frame_intervals.h"
+#include "dspm/session/job/choices.h"
+#include "dspm/session/job/job.h"
 #include "dspm/testing/test_scene.h"
-#include "dspm/world/choices.h"
-#include "dspm/world/job.h"
 
 namespace dspm::test {
 namespace {

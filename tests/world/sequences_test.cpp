@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "dspm/scene/scene.h"
 #include "dspm/session/load.h"
+#include "dspm/world/scene/scene.h"
 #include "tests/support/temporary_directory.h"
 
 namespace dspm::test {

@@ -1,5 +1,5 @@
 // What a file of thousands of frames costs: counts, which no busy machine changes.
-#include "dspm/world/timeline.h"
+#include "dspm/world/objects/timeline.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "dspm/world/frame_ranges.h"
-#include "dspm/world/likeness.h"
+#include "dspm/world/objects/frame_ranges.h"
+#include "dspm/world/objects/likeness.h"
 
 namespace dspm {
 namespace {

@@ -1,5 +1,5 @@
 // What variations make of parts, lights and looks; and what of the looks is held where variations are many.
-#include "dspm/world/variations.h"
+#include "dspm/world/objects/variations.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include <dspm/accel/brute_force.h>
-#include <dspm/integrators/dsppm/dsppm.h>
-#include <dspm/modules/module.h>
+#include <dspm/integrators/methods/dsppm/dsppm.h>
+#include <dspm/session/modules/module.h>
 
 namespace dspm {
 

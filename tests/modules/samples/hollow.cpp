@@ -1,7 +1,7 @@
 // A material, a light, a camera and a shape that are right in most places, and give NaN in some.
+#include <dspm/base/math/sampling.h>
 #include <dspm/materials/shading_frame.h>
-#include <dspm/math/sampling.h>
-#include <dspm/modules/module.h>
+#include <dspm/session/modules/module.h>
 
 #include <cmath>
 #include <limits>

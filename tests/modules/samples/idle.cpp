@@ -1,4 +1,4 @@
 // Adds nothing.
-#include <dspm/modules/module.h>
+#include <dspm/session/modules/module.h>
 
 DSPM_MODULE(registry) {}

@@ -1,5 +1,5 @@
 // An integrator that does what a bad one may do; without a mood it paints every frame in its own grey.
-#include <dspm/modules/module.h>
+#include <dspm/session/modules/module.h>
 
 #include <cstdlib>
 #include <list>

@@ -1,5 +1,5 @@
 // Of the same version, but with another idea of a type's size.
-#include <dspm/modules/module.h>
+#include <dspm/session/modules/module.h>
 
 namespace {
 

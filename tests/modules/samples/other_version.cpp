@@ -1,5 +1,5 @@
 // Built for another version, as its stamp says; its static constructor must not run.
-#include <dspm/modules/module.h>
+#include <dspm/session/modules/module.h>
 
 #include <cstdlib>
 #include <fstream>

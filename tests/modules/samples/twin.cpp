@@ -1,5 +1,5 @@
 // Claims a name that mischief.cpp has, too.
-#include <dspm/modules/module.h>
+#include <dspm/session/modules/module.h>
 
 DSPM_MODULE(registry) {
   using namespace dspm;

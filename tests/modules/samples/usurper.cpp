@@ -1,5 +1,5 @@
 // Claims a name of dspm's own.
-#include <dspm/modules/module.h>
+#include <dspm/session/modules/module.h>
 
 DSPM_MODULE(registry) {
   using namespace dspm;

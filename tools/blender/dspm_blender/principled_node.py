@@ -1,4 +1,4 @@
-"""Blender's Principled BSDF, of versions before 4 and since. dspm's parameters are explained in materials/principled.cpp."""
+"""Blender's Principled BSDF, of versions before 4 and since. dspm's parameters are explained in principled.cpp."""
 import numpy as np
 
 from .fields import Field, complement, is_one, is_zero, luminance, product, total

@@ -1,2 +1,2 @@
 #include "dspm/app/options.h"
-#include "dspm/film/film.h"
+#include "dspm/image/film/film.h"

@@ -1,0 +1,43 @@
+// A ray's hit on one primitive, as every tree and the brute force loop compute it: the shape's own test, with one
+// correction. The hit decision for a triangle seen edge-on is sound, but its rounded distance is poor and may even lie
+// before the ray reaches the triangle's box; then a tree that culls boxes by distance and a loop over all primitives
+// would disagree. Such a hit is moved to where the ray enters the box.
+#pragma once
+
+#include "dspm/accel/box_ray.h"
+#include "dspm/base/math/ray.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/shapes/triangle.h"
+
+namespace dspm {
+
+inline std::optional<PrimitiveHit> not_before_entry(PrimitiveHit hit, const BoxRay& ray, const Bounds3& bounds,
+                                                    float t_max) {
+  const float entry = ray.entry(with_margin(bounds));
+  if (entry > hit.t && entry < kInfinity) hit.t = entry;
+  return hit.t < t_max ? std::optional(hit) : std::nullopt;
+}
+
+/// Returns the hit; `ray` is in the shape's space.
+inline std::optional<PrimitiveHit> meet(const Shape& shape, int primitive, const Ray& ray) {
+  const std::optional<PrimitiveHit> hit = shape.intersect(primitive, ray);
+  return hit ? not_before_entry(*hit, BoxRay(ray), shape.bounds(primitive), ray.t_max) : std::nullopt;
+}
+
+/// A ray prepared for triangles and their boxes.
+struct MeshRay {
+  TriangleRay triangle;
+  BoxRay box;
+  float t_max;
+
+  explicit MeshRay(const Ray& ray) : triangle(ray), box(ray), t_max(ray.t_max) {}
+};
+
+/// Returns what meet() returns for the same triangle of a mesh.
+inline std::optional<PrimitiveHit> meet(const MeshRay& ray, const Vec3& p0, const Vec3& p1, const Vec3& p2) {
+  const std::optional<PrimitiveHit> hit = intersect(ray.triangle, p0, p1, p2, ray.t_max);
+  if (!hit) return hit;
+  return not_before_entry(*hit, ray.box, {min(min(p0, p1), p2), max(max(p0, p1), p2)}, ray.t_max);
+}
+
+}  // namespace dspm

@@ -1,0 +1,119 @@
+#include "dspm/integrators/beside/shadow_catcher.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/image/image.h"
+#include "dspm/integrators/beside/surface_outputs.h"
+#include "dspm/integrators/beside/wrapping_integrator.h"
+#include "dspm/integrators/caught_light.h"
+#include "dspm/integrators/photons/memory_needs.h"
+
+namespace dspm {
+namespace {
+
+/// Returns what is left of the light E0, by the colour that loses most.
+float share_left(const Rgb& with, const Rgb& without) {
+  float share = 1;
+  for (const auto& [e, e0] : {std::pair(with.r, without.r), {with.g, without.g}, {with.b, without.b}})
+    if (e0 > 0) share = std::min(share, e / e0);
+  return std::max(share, 0.f);
+}
+
+class ShadowCatcher final : public WrappingIntegrator {
+ public:
+  ShadowCatcher(std::unique_ptr<Integrator> with, std::unique_ptr<Integrator> without)
+      : WrappingIntegrator(std::move(with)), without_(std::move(without)) {}
+
+  void iterate(int iteration, const Scene& scene) override {
+    inner_->iterate(iteration, scene);
+    const StepTimer timer(step_);
+    without_->iterate(iteration, *scene.without_objects);
+  }
+
+  std::vector<OutputInfo> outputs() const override {
+    std::vector<OutputInfo> all = inner_->outputs();
+    std::erase_if(all, [](const OutputInfo& output) { return output.name == kCaughtLight; });
+    return all;
+  }
+
+  Image estimate(Frame frame, const std::string& output) const override {
+    if (output != kRadiance && output != kAlphaOutput) return inner_->estimate(frame, output);
+    Image image = inner_->estimate(frame, output);
+    const Image caught = inner_->estimate(frame, kCaughtLight), share = inner_->estimate(frame, kCatcherOutput),
+                caught_without = without_->estimate(frame, kCaughtLight),
+                share_without = without_->estimate(frame, kCatcherOutput);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+      const float c = share.pixels[i].r, c0 = share_without.pixels[i].r;
+      if (!(c > 0)) continue;
+      const Rgb e0 = c0 > 0 ? caught_without.pixels[i] * (c / c0) : Rgb();  // as many paths as have found `caught`
+      const float left = share_left(caught.pixels[i], e0);
+      image.pixels[i] += output == kRadiance ? caught.pixels[i] - e0 * left : Rgb(-c * left);
+    }
+    return image;
+  }
+
+  Statistics statistics() const override {
+    Statistics statistics = inner_->statistics();
+    statistics.steps.push_back(step_);
+    statistics.bytes += without_->statistics().bytes;
+    return statistics;
+  }
+
+  bool persist(StateStream& state) override {
+    if (!inner_->persist(state) || !without_->persist(state)) return false;
+    state.sum(step_.seconds);
+    return true;
+  }
+
+ private:
+  std::unique_ptr<Integrator> without_;
+  StepTime step_{"without objects"};
+};
+
+RenderSettings with_outputs(RenderSettings render, std::initializer_list<const char*> more) {
+  for (const char* output : more)
+    if (std::find(render.outputs.begin(), render.outputs.end(), output) == render.outputs.end())
+      render.outputs.emplace_back(output);
+  return render;
+}
+
+std::unique_ptr<Integrator> make_with_outputs(const MakeForScene& make, const Scene& scene,
+                                              const RenderSettings& render, std::size_t memory) {
+  return with_surface_outputs(
+      [&](std::size_t bytes) {
+        RenderSettings bounded = render;
+        bounded.memory = bytes;
+        return make(scene, bounded);
+      },
+      scene, render, memory);
+}
+
+}  // namespace
+
+std::unique_ptr<Integrator> with_shadow_catchers(const MakeForScene& make, const Scene& scene,
+                                                 const RenderSettings& render, std::size_t memory) {
+  if (scene.without_objects == nullptr) return make_with_outputs(make, scene, render, memory);
+  RenderSettings bare = render;
+  bare.outputs.clear();
+  try {
+    auto with =
+        make_with_outputs(make, scene, with_outputs(render, {kAlphaOutput, kCatcherOutput, kCaughtLight}), memory / 2);
+    if (with == nullptr) return nullptr;
+    auto without =
+        make_with_outputs(make, *scene.without_objects, with_outputs(bare, {kCatcherOutput, kCaughtLight}), memory / 2);
+    if (without == nullptr) return nullptr;
+    return std::make_unique<ShadowCatcher>(std::move(with), std::move(without));
+  } catch (NotEnoughMemory& error) {
+    for (std::size_t* need :
+         {&error.least.pixels, &error.least.hit_points, &error.least.photons, &error.least.learning})
+      *need *= 2;
+    throw;
+  }
+}
+
+}  // namespace dspm

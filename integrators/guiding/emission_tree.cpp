@@ -1,0 +1,280 @@
+#include "dspm/integrators/guiding/emission_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <vector>
+
+#include "dspm/base/grid/buffer.h"
+#include "dspm/base/math/rng.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/base/system/parallel.h"
+
+namespace dspm {
+namespace {
+
+constexpr std::size_t kLeastRecords = 24;  // of a box that is halved
+constexpr std::size_t kAtOnce = 256;       // records that are worth no second thread
+constexpr float kSmallestSide = 0x1p-16f;  // leaves numbers of 24 bits 8 of them
+constexpr double kDefensive = 0.25;        // the share of paths that start as without a guide
+constexpr double kClimbs = 0.6;            // the chance that a draw leaves its box for the next larger one
+// The part of a record's value that is assumed to lie beside it, within so many sides of its box.
+constexpr double kBeside = 0.01;
+constexpr float kFarthestBeside = 1.5f;
+
+using Records = std::span<EmissionRecord>;
+
+/// Photons drawn from boxes of volume v whose records add up to S have the least variance if each box gets a share of
+/// them in proportion to this; the variance is then the square of the sum over the boxes.
+double deviation(double value, double volume) { return std::sqrt(value * volume); }
+
+struct Box {
+  EmissionBox box;
+  Records records, room;  // room: for the halves' records
+  double value = 0;       // of the records
+  std::unique_ptr<std::array<Box, 2>> halves;
+  int side = 0;                    // the side that is halved
+  double worth = 0;                // of halving it, at most that of halving the larger box
+  double arriving = 0, drawn = 0;  // how often a draw comes here, and ends here, not yet normalised
+  double drawn_within = 0;         // and in all boxes within
+  std::size_t boxes_within = 0;
+
+  double deviation() const { return dspm::deviation(value, box.volume()); }
+};
+
+/// The sums over some records of a box, by side and quarter of it.
+struct Sums {
+  std::array<std::array<double, 4>, 4> values{};
+  std::array<std::size_t, 4> low{};  // records in the lower half
+
+  static std::size_t quarter(const EmissionRecord& record, const EmissionBox& box, std::size_t side) {
+    const float place = (record.numbers[side] - box.low[side]) * (4 / box.size[side]);
+    return static_cast<std::size_t>(std::clamp(static_cast<int>(place), 0, 3));
+  }
+  Sums() = default;
+  Sums(Records records, const EmissionBox& box) {
+    for (const EmissionRecord& record : records)
+      for (std::size_t side = 0; side < 4; ++side) {
+        const std::size_t at = quarter(record, box, side);
+        values[side][at] += record.value, low[side] += at < 2;
+      }
+  }
+  Sums& operator+=(const Sums& o) {
+    for (std::size_t side = 0; side < 4; ++side) {
+      for (std::size_t at = 0; at < 4; ++at) values[side][at] += o.values[side][at];
+      low[side] += o.low[side];
+    }
+    return *this;
+  }
+};
+
+/// Calls fn(some of the records, the number of their chunk).
+template <class Fn>
+void for_each_chunk(Records records, Fn&& fn) {
+  parallel_chunks(static_cast<std::int64_t>(records.size()), kAtOnce, [&](std::int64_t begin, std::int64_t end) {
+    const auto first = static_cast<std::size_t>(begin);
+    fn(records.subspan(first, static_cast<std::size_t>(end) - first), first / kAtOnce);
+  });
+}
+
+/// Calls fn(a half, whether it is the upper one).
+template <class Fn>
+void for_each_half(const Box& box, Fn&& fn) {
+  if (box.records.size() <= kAtOnce) return fn((*box.halves)[0], false), fn((*box.halves)[1], true);
+  parallel_for(2, 1, [&](std::int64_t upper) { fn((*box.halves)[static_cast<std::size_t>(upper)], upper == 1); });
+}
+
+/// Looks two levels ahead: a box whose halves are alike may hold all it has along their border.
+double gain(const Box& box, const Sums& sums, int side) {
+  if (box.box.size[EmissionBox::slot(side)] <= kSmallestSide) return 0;
+  double divided = 0;
+  for (const double quarter : sums.values[EmissionBox::slot(side)]) divided += deviation(quarter, box.box.volume() / 4);
+  return box.deviation() - divided;
+}
+
+/// Halves the box. Records go to the halves in their order. `sums` holds sums by chunk; `low` of the records are in the
+/// lower half.
+void halve(Box& box, const std::vector<Sums>& sums, std::size_t low) {
+  const std::size_t side = EmissionBox::slot(box.side);
+  std::vector<std::size_t> low_before(sums.size());
+  for (std::size_t chunk = 1; chunk < sums.size(); ++chunk)
+    low_before[chunk] = low_before[chunk - 1] + sums[chunk - 1].low[side];
+  for_each_chunk(box.records, [&](Records records, std::size_t chunk) {
+    std::size_t lower = low_before[chunk], upper = low + chunk * kAtOnce - lower;
+    for (const EmissionRecord& record : records)
+      box.room[Sums::quarter(record, box.box, side) < 2 ? lower++ : upper++] = record;
+  });
+  box.halves = std::make_unique<std::array<Box, 2>>();
+  for (const bool upper : {false, true}) {
+    Box& half = (*box.halves)[upper];
+    const std::size_t first = upper ? low : 0, count = upper ? box.records.size() - low : low;
+    half.box = box.box.half(box.side, upper);
+    half.records = box.room.subspan(first, count), half.room = box.records.subspan(first, count);
+  }
+}
+
+/// Halves boxes as long as that gains anything.
+void grow(Box& box, double most_worth) {
+  std::vector<Sums> sums(static_cast<std::size_t>(chunk_count(static_cast<std::int64_t>(box.records.size()), kAtOnce)));
+  for_each_chunk(box.records, [&](Records records, std::size_t chunk) { sums[chunk] = Sums(records, box.box); });
+  const Sums all = std::accumulate(sums.begin(), sums.end(), Sums(), [](Sums a, const Sums& b) { return a += b; });
+  box.value = std::accumulate(all.values[0].begin(), all.values[0].end(), 0.0);
+  if (box.records.size() < kLeastRecords) return;
+  double best = 0;
+  for (int side = 0; side < 4; ++side)
+    if (const double gained = gain(box, all, side); gained > best) best = gained, box.side = side;
+  if (!(best > 0)) return;
+  box.worth = std::min(best, most_worth);
+  halve(box, sums, all.low[EmissionBox::slot(box.side)]);
+  for_each_half(box, [&](Box& half, bool) { grow(half, box.worth); });
+  for (const Box& half : *box.halves) box.boxes_within += 1 + half.boxes_within;
+}
+
+void add_worths(const Box& box, std::vector<double>& worths) {
+  if (box.halves == nullptr) return;
+  worths.push_back(box.worth);
+  for (const Box& half : *box.halves) add_worths(half, worths);
+}
+
+/// Returns a record next to that one, at a place that follows from its numbers.
+EmissionRecord beside(const EmissionRecord& record, const EmissionBox& box) {
+  std::uint64_t seed = 0;
+  for (const float number : record.numbers) seed = mix_bits(seed + std::bit_cast<std::uint32_t>(number));
+  const PathRandom random(seed, Stream::setup, 0, 0);
+  const Vec2 a = random.pair(0, 0), b = random.pair(0, 1);
+  const EmissionNumbers u{a.x, a.y, b.x, b.y};
+  EmissionRecord moved = record;
+  for (std::size_t side = 0; side < 4; ++side) {
+    const float to = record.numbers[side] + (2 * u[side] - 1) * kFarthestBeside * box.size[side];
+    moved.numbers[side] = std::clamp(to < 0 ? -to : to < 1 ? to : 2 - to, 0.f, 1 - 0x1p-24f);
+  }
+  return moved;
+}
+
+void add_spread(const Box& box, std::vector<EmissionRecord>& all) {
+  if (box.halves != nullptr) {
+    for (const Box& half : *box.halves) add_spread(half, all);
+    return;
+  }
+  for (const EmissionRecord& record : box.records) {
+    all.push_back(record), all.back().value *= 1 - kBeside;
+    all.push_back(beside(record, box.box)), all.back().value *= kBeside;
+  }
+}
+
+class Trees {
+ public:
+  Trees(Records records, std::span<const float> usual) : usual_(usual), roots_(usual.size()) {
+    room_.refit(records.size());
+    for_each_root([&](std::size_t light) {
+      const auto before = [](const EmissionRecord& record, std::size_t of) {
+        return static_cast<std::size_t>(record.light) < of;
+      };
+      const auto begin = std::lower_bound(records.begin(), records.end(), light, before),
+                 end = std::lower_bound(begin, records.end(), light + 1, before);
+      const auto first = static_cast<std::size_t>(begin - records.begin()),
+                 count = static_cast<std::size_t>(end - begin);
+      roots_[light].records = {begin, end}, roots_[light].room = Records(room_).subspan(first, count);
+      grow(roots_[light], std::numeric_limits<double>::infinity());
+    });
+    least_worth_ = most_worth_not_affordable();
+  }
+
+  /// Returns the records, light by light, each with one beside it. Without those the density would fall off a cliff at
+  /// the edges of what was found: a path that starts just beyond one is seldom drawn, and its weight is larger by as
+  /// much.
+  std::vector<EmissionRecord> spread() const {
+    std::vector<EmissionRecord> all;
+    all.reserve(2 * room_.size());
+    for (const Box& root : roots_) add_spread(root, all);
+    return all;
+  }
+
+  EmissionGuide guide() {
+    for_each_root([&](std::size_t light) { settle(roots_[light], 0); });
+    double drawn = 0;
+    std::vector<std::size_t> first_within(roots_.size() + 1, roots_.size());
+    for (std::size_t light = 0; light < roots_.size(); ++light) {
+      drawn += roots_[light].drawn_within;
+      first_within[light + 1] = first_within[light] + roots_[light].boxes_within;
+    }
+    guided_ = drawn > 0 ? (1 - kDefensive) / drawn : 0;
+    std::vector<EmissionGuide::Node> nodes(first_within.back());
+    for_each_root([&](std::size_t light) {
+      lay(roots_[light], light, first_within[light], static_cast<double>(usual_[light]) * (drawn > 0 ? kDefensive : 1),
+          nodes);
+    });
+    return {static_cast<int>(roots_.size()), std::move(nodes)};
+  }
+
+ private:
+  template <class Fn>
+  void for_each_root(Fn&& fn) {
+    parallel_for(static_cast<std::int64_t>(roots_.size()), 1, [&](std::int64_t i) { fn(static_cast<std::size_t>(i)); });
+  }
+
+  /// If there are too many boxes, returns the worth up to which boxes stay whole: the variance falls most by halving
+  /// the others.
+  double most_worth_not_affordable() const {
+    const std::size_t most = EmissionGuide::kMostCells - std::min(EmissionGuide::kMostCells, roots_.size());
+    std::size_t boxes = 0;
+    for (const Box& root : roots_) boxes += root.boxes_within;
+    if (boxes / 2 <= most) return 0;
+    std::vector<double> worths;
+    for (const Box& root : roots_) add_worths(root, worths);
+    const auto first_left = worths.begin() + static_cast<std::ptrdiff_t>(most);
+    std::nth_element(worths.begin(), first_left, worths.end(), std::greater<>());
+    return *first_left;
+  }
+  bool is_halved(const Box& box) const { return box.halves != nullptr && box.worth > least_worth_; }
+
+  /// Lets draws climb from their cells to larger boxes, as paths next to those that were found matter, too.
+  void settle(Box& box, double climbs) const {
+    box.arriving = box.deviation(), box.drawn_within = 0, box.boxes_within = 0;
+    if (is_halved(box)) {
+      for_each_half(box, [&](Box& half, bool) { settle(half, kClimbs); });
+      box.arriving = 0;
+      for (const Box& half : *box.halves) {
+        box.arriving += half.arriving * kClimbs;
+        box.drawn_within += half.drawn_within, box.boxes_within += 1 + half.boxes_within;
+      }
+    }
+    box.drawn = box.arriving * (1 - climbs);
+    box.drawn_within += box.drawn;
+  }
+
+  /// Writes node `at`, and the nodes of the boxes within it from `first` on. What is within the lower half comes before
+  /// what is within the upper one, so a way down is short in memory as well. `density` is that of what is drawn from
+  /// the larger boxes.
+  void lay(Box& box, std::size_t at, std::size_t first, double density, std::vector<EmissionGuide::Node>& nodes) const {
+    density += guided_ * box.drawn / box.box.volume();
+    nodes[at].probability = density * box.box.volume();
+    if (!is_halved(box)) return;
+    nodes[at].first_child = static_cast<int>(first), nodes[at].side = box.side;
+    const std::size_t of_upper = first + 2 + (*box.halves)[0].boxes_within;
+    for_each_half(box, [&](Box& half, bool upper) {
+      lay(half, first + upper, upper ? of_upper : first + 2, density, nodes);
+      half.halves = nullptr;
+    });
+  }
+
+  std::span<const float> usual_;
+  Buffer<EmissionRecord> room_;
+  std::vector<Box> roots_;  // by light
+  double least_worth_ = 0;  // boxes of more are halved
+  double guided_ = 0;       // the probability of what is drawn once
+};
+
+}  // namespace
+
+EmissionGuide guide_from(std::span<EmissionRecord> records, std::span<const float> usual) {
+  std::vector<EmissionRecord> spread = Trees(records, usual).spread();
+  return Trees(spread, usual).guide();
+}
+
+}  // namespace dspm

@@ -1,0 +1,36 @@
+// The light that each group of lights brings, as outputs of their own: "light_key" is the light of all sources with
+//   LightSource "spot" "string group" "key"
+// and "light_other" the light of those without a group. Together they are the radiance, up to rounding.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dspm/integrators/output_info.h"
+#include "dspm/world/scene/scene.h"
+
+namespace dspm {
+
+/// The outputs of all groups of the scene.
+std::vector<OutputInfo> light_group_outputs(const Scene& scene);
+
+/// The groups of a scene whose outputs a run gives; they count from 0.
+class LightGroups {
+ public:
+  static constexpr int kNone = -1;
+
+  LightGroups() = default;
+  LightGroups(const Scene& scene, const std::vector<std::string>& asked_outputs);
+
+  int count() const { return static_cast<int>(outputs_.size()); }
+  /// Returns the group of a light of the scene; kNone if no output asks for that group, or if `light` is negative.
+  int of_light(int light) const { return light < 0 ? kNone : of_light_[static_cast<std::size_t>(light)]; }
+  /// Returns the group whose output has that name, or kNone.
+  int of_output(const std::string& name) const;
+
+ private:
+  std::vector<std::string> outputs_;  // by group
+  std::vector<int> of_light_;
+};
+
+}  // namespace dspm

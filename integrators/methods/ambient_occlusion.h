@@ -1,0 +1,13 @@
+// Ambient occlusion.
+#pragma once
+
+#include "dspm/base/params/params.h"
+#include "dspm/integrators/integrator.h"
+#include "dspm/world/scene/scene.h"
+
+namespace dspm {
+
+std::unique_ptr<Integrator> make_ambient_occlusion(ParamReader& params, const Scene& scene,
+                                                   const RenderSettings& render);
+
+}  // namespace dspm

@@ -1,0 +1,159 @@
+// Progressive statistics for every pixel and frame [HJ09], gathered once for all frames that share a hit point
+// [WG12 4.3]. Frames are SIMD lanes.
+#include <algorithm>
+#include <vector>
+
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/base/system/parallel.h"
+#include "dspm/integrators/methods/dsppm/dsppm.h"
+#include "dspm/integrators/methods/dsppm/four_frames.h"
+#include "dspm/integrators/possible_state.h"
+
+namespace dspm {
+namespace {
+
+constexpr int kGroups = kMaxFrames / 4;
+
+/// The largest and smallest values of the selected lanes over several groups.
+struct Extremes {
+  __m128 most = _mm_setzero_ps(), least = _mm_set1_ps(kInfinity);
+
+  void add(__m128 lanes, __m128 values) {
+    most = _mm_max_ps(most, _mm_and_ps(lanes, values));
+    least = _mm_min_ps(least, _mm_blendv_ps(_mm_set1_ps(kInfinity), values, lanes));
+  }
+  float largest() const {
+    const __m128 two = _mm_max_ps(most, _mm_movehl_ps(most, most));
+    return _mm_cvtss_f32(_mm_max_ss(two, _mm_shuffle_ps(two, two, 1)));
+  }
+  float smallest() const {
+    const __m128 two = _mm_min_ps(least, _mm_movehl_ps(least, least));
+    return _mm_cvtss_f32(_mm_min_ss(two, _mm_shuffle_ps(two, two, 1)));
+  }
+};
+
+class Hj09 final : public PixelEstimator {
+ public:
+  explicit Hj09(const EstimatorSettings& of)
+      : of_(of),
+        groups_((of.frames + 3) / 4),
+        statistics_(count(of)),
+        passes_(of.batched ? count(of) : 0, FourSums::none()) {}
+  static std::size_t bytes(const EstimatorSettings& of) {
+    return count(of) * (sizeof(FourFrames) + (of.batched ? sizeof(FourSums) : 0));
+  }
+
+  float search_radius2(const HitPoint& hit) const override {
+    const float initial2 = hit.radius * hit.radius;
+    Extremes radii;
+    for_each_group(hit.frames, [&](int group, __m128 lanes) {
+      const __m128 R2 = statistics_[index(hit.pixel, group)].R2();
+      radii.add(lanes, _mm_blendv_ps(R2, _mm_set1_ps(initial2), _mm_cmpeq_ps(R2, _mm_setzero_ps())));
+    });
+    return radii.largest();
+  }
+
+  void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) override {
+    FourFrames* pixel = &statistics_[index(hit.pixel, 0)];
+    // The largest radius finds the photons of every frame; those within the smallest need no per-frame test.
+    Extremes radii;
+    FourSums sums[kGroups];
+    for_each_group(hit.frames, [&](int group, __m128 lanes) {
+      pixel[group].begin(lanes, hit.radius * hit.radius);
+      radii.add(lanes, pixel[group].R2());
+      sums[group] = FourSums::none();
+    });
+
+    PassSums shared;
+    RgbLanes shared_phi;
+    FewListSums<PassSums> lists;
+    const float smallest2 = radii.smallest();
+    const auto add_strands = [&](const Strand* strands, FrameSet frames, const Rgb& flux, float photons,
+                                 float distance2) {
+      for_each_strand(strands, frames, [&](FrameSet alike, const Rgb& weight) {
+        for_each_group(alike, [&](int group, __m128 there) {
+          const __m128 within = _mm_cmple_ps(_mm_set1_ps(distance2), pixel[group].R2());
+          sums[group].add(_mm_and_ps(there, within), flux * weight, photons);
+        });
+      });
+    };
+    gather(hit, tile.scattering_of(hit), map, radii.largest(), counts,
+           [&](const Strand* strands, FrameSet frames, RgbLanes flux, float distance2) {
+             const bool for_all = frames == hit.frames && distance2 <= smallest2;
+             if (for_all && strands == nullptr)
+               ++shared.M, shared_phi += flux;
+             else if (PassSums* sum = for_all && map.is_of_light(strands) ? lists.of(strands) : nullptr)
+               *sum += {1, flux.rgb()};
+             else
+               add_strands(strands, frames, flux.rgb(), 1, distance2);
+           });
+    shared.phi = shared_phi.rgb();
+    lists.for_each([&](const Strand* list, const PassSums& sum) {
+      add_strands(list, hit.frames, sum.phi, static_cast<float>(sum.M), 0);
+    });
+
+    for_each_strand(tile.strands.of(hit.strands), hit.frames, [&](FrameSet frames, const Rgb& weight) {
+      for_each_group(frames, [&](int group, __m128 lanes) {
+        const FourSums total = sums[group].total(lanes, shared, hit.throughput * weight);
+        if (of_.batched)
+          passes_[index(hit.pixel, group)] += total;
+        else
+          pixel[group].absorb(total, of_.alpha);
+      });
+    });
+  }
+
+  void see(const SeenLight& light) override {
+    light.frames.for_each([&](Frame f) {
+      statistics_[index(light.pixel, f / 4)].see(f % 4, light.radiance, static_cast<float>(of_.photons));
+    });
+  }
+
+  void end_iteration() override {
+    parallel_for(static_cast<std::int64_t>(passes_.size()), 1 << 12, [&](std::int64_t i) {
+      const auto at = static_cast<std::size_t>(i);
+      statistics_[at].absorb(passes_[at], of_.alpha);
+      passes_[at] = FourSums::none();
+    });
+    ++iterations_;
+  }
+
+  bool adds_up() const override { return false; }
+  void forget_iteration() override { std::fill(passes_.begin(), passes_.end(), FourSums::none()); }
+
+  void persist(StateStream& state) override {
+    state.value(iterations_);
+    expect_iterations(iterations_);
+    state.value(statistics_);
+  }
+
+  Rgb radiance(int pixel, Frame frame) const override {
+    const auto emitted = static_cast<double>(iterations_ * of_.photons);
+    return statistics(pixel, frame)->radiance(emitted);
+  }
+
+  std::optional<PixelStatistics> statistics(int pixel, Frame frame) const override {
+    return statistics_[index(pixel, frame / 4)].of(frame % 4);
+  }
+
+ private:
+  static std::size_t count(const EstimatorSettings& of) {
+    return static_cast<std::size_t>(of.pixels) * static_cast<std::size_t>((of.frames + 3) / 4);
+  }
+  std::size_t index(int pixel, int group) const {
+    return static_cast<std::size_t>(pixel) * static_cast<std::size_t>(groups_) + static_cast<std::size_t>(group);
+  }
+
+  EstimatorSettings of_;
+  int groups_;  // of four frames
+  int iterations_ = 0;
+  std::vector<FourFrames> statistics_;  // the frames of a pixel lie together
+  std::vector<FourSums> passes_;        // of the iteration so far; only if photons come in batches
+};
+
+}  // namespace
+
+EstimatorKind shared_hj09() { return estimator_kind<Hj09>(); }
+
+}  // namespace dspm

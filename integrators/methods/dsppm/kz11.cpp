@@ -1,0 +1,85 @@
+// Probabilistic progressive photon mapping [KZ11]: the search radius depends only on the iteration. The estimate is
+// then linear in the photons, so photons shared by all frames are summed once, and the others are added to the sums of
+// their frames.
+#include <vector>
+
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/integrators/methods/dsppm/dsppm.h"
+#include "dspm/integrators/photons/gathered_flux.h"
+#include "dspm/integrators/photons/kernel_size.h"
+#include "dspm/integrators/possible_state.h"
+
+namespace dspm {
+namespace {
+
+class Kz11 final : public PixelEstimator {
+ public:
+  explicit Kz11(const EstimatorSettings& of)
+      : of_(of), shared_(static_cast<std::size_t>(of.pixels)), own_(of.pixel_frames()) {}
+  static std::size_t bytes(const EstimatorSettings& of) {
+    return (static_cast<std::size_t>(of.pixels) + of.pixel_frames()) * sizeof(Rgb);
+  }
+
+  float search_radius2(const HitPoint& hit) const override { return radius_.squared(hit); }
+
+  void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) override {
+    const float radius2 = radius_.squared(hit);
+    const Rgb per_area = hit.throughput / kernel_size(radius2);
+    GatheredFlux flux(hit, map);
+    gather(hit, tile.scattering_of(hit), map, radius2, counts,
+           [&](const Strand* strands, FrameSet frames, RgbLanes photon, float) { flux.add(strands, frames, photon); });
+    flux.end();
+    for_each_strand(tile.strands.of(hit.strands), hit.frames, [&](FrameSet frames, const Rgb& weight) {
+      const Rgb times = per_area * weight;
+      add(hit.pixel, frames, flux.shared() * times);
+      (frames & flux.with_own()).for_each([&](Frame f) { own_[index(hit.pixel, f)] += flux.own(f) * times; });
+    });
+  }
+
+  // Every iteration emits the same number of photons, so seen light is weighted by it and needs no separate sums.
+  void see(const SeenLight& light) override {
+    add(light.pixel, light.frames, light.radiance * static_cast<float>(of_.photons));
+  }
+
+  void begin_iteration(int iteration) override { radius_.go_to(iteration, of_.alpha); }
+  void end_iteration() override { ++iterations_; }
+
+  void persist(StateStream& state) override {
+    state.sum(iterations_);
+    expect_iterations(iterations_);
+    state.sum(shared_);
+    state.sum(own_);
+  }
+
+  Rgb radiance(int pixel, Frame frame) const override {
+    if (iterations_ == 0) return {};
+    const auto emitted = static_cast<double>(iterations_ * of_.photons);
+    return (shared_[static_cast<std::size_t>(pixel)] + own_[index(pixel, frame)]) * static_cast<float>(1 / emitted);
+  }
+
+ private:
+  void add(int pixel, FrameSet frames, const Rgb& radiance_times_photons) {
+    if (frames == FrameSet::first(of_.frames)) {
+      shared_[static_cast<std::size_t>(pixel)] += radiance_times_photons;
+    } else {
+      frames.for_each([&](Frame f) { own_[index(pixel, f)] += radiance_times_photons; });
+    }
+  }
+
+  std::size_t index(int pixel, Frame frame) const {
+    return static_cast<std::size_t>(pixel) * static_cast<std::size_t>(of_.frames) + static_cast<std::size_t>(frame);
+  }
+
+  EstimatorSettings of_;
+  IterationRadius radius_;
+  int iterations_ = 0;       // done
+  std::vector<Rgb> shared_;  // by pixel: radiance times photons, common to all frames
+  std::vector<Rgb> own_;     // by pixel and frame: the rest
+};
+
+}  // namespace
+
+EstimatorKind shared_kz11() { return estimator_kind<Kz11>(); }
+
+}  // namespace dspm

@@ -1,0 +1,90 @@
+#include "dspm/integrators/methods/group_sums.h"
+
+#include <algorithm>
+#include <array>
+
+#include "dspm/base/system/parallel.h"
+#include "dspm/integrators/photons/gathered_flux.h"
+#include "dspm/integrators/photons/kernel_size.h"
+
+namespace dspm {
+
+void GroupSums::see(const std::vector<HitPointTile>& tiles) {
+  parallel_for(static_cast<std::int64_t>(tiles.size()), 1, [&](std::int64_t t) {
+    for (const SeenLight& light : tiles[static_cast<std::size_t>(t)].seen) {
+      const int group = groups_.of_light(light.light);
+      if (group == LightGroups::kNone || light.caught) continue;
+      light.frames.for_each(
+          [&](Frame f) { sum(group, light.pixel, f) += light.radiance * static_cast<float>(of_.photons); });
+    }
+  });
+}
+
+void GroupSums::gather(const std::vector<HitPointTile>& tiles, const PhotonMap& map, const PixelEstimator& whole,
+                       const HiddenPhotons& hidden, const IterationRadius& hidden_radius) {
+  parallel_for(static_cast<std::int64_t>(tiles.size()), 1, [&](std::int64_t t) {
+    const HitPointTile& tile = tiles[static_cast<std::size_t>(t)];
+    GatherCounts not_counted;
+    for (const HitPoint& hit : tile.glossy) {
+      const float radius2 = hidden_radius.squared(hit);
+      if (hit.caught) continue;
+      gather_at(
+          hit, tile, hidden.on_surfaces, radius2, [radius2](Frame) { return radius2; },
+          [&](auto&& fn) { gather_hidden_by_group(hit, tile, hidden, radius2, not_counted, fn); });
+    }
+    for (const HitPoint& hit : tile.hit_points) {
+      const float widest2 = whole.search_radius2(hit);
+      if (hit.caught) continue;
+      gather_at(
+          hit, tile, map, widest2, [&](Frame f) { return whole.search_radius2_in(f, hit); },
+          [&](auto&& fn) { gather_by_group(hit, tile.scattering_of(hit), map, widest2, not_counted, fn); });
+    }
+  });
+}
+
+/// `radius2(Frame)` returns the square of the radius in that frame; `widest2` is the largest of them, within which
+/// gather(fn) finds photons.
+template <class Radius2, class Gather>
+void GroupSums::gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, float widest2,
+                          Radius2&& radius2, Gather&& gather) {
+  std::array<float, kMaxFrames> within2;
+  float narrowest2 = widest2;
+  hit.frames.for_each([&](Frame f) {
+    const float own2 = within2[static_cast<std::size_t>(f)] = radius2(f);
+    narrowest2 = std::min(narrowest2, own2);
+  });
+  const auto reached = [&](FrameSet frames, float distance2) {
+    FrameSet within;
+    frames.for_each([&](Frame f) {
+      if (distance2 <= within2[static_cast<std::size_t>(f)]) within |= FrameSet::single(f);
+    });
+    return within;
+  };
+
+  std::vector<GatheredFlux> by_group;
+  by_group.reserve(static_cast<std::size_t>(groups_.count()));
+  for (int group = 0; group < groups_.count(); ++group) by_group.emplace_back(hit, map);
+  gather([&](const Strand* strands, FrameSet frames, RgbLanes flux, float distance2, const auto& group) {
+    if (const int own = group(); own != LightGroups::kNone)
+      by_group[static_cast<std::size_t>(own)].add(strands,
+                                                  distance2 <= narrowest2 ? frames : reached(frames, distance2), flux);
+  });
+
+  for (int group = 0; group < groups_.count(); ++group) {
+    GatheredFlux& flux = by_group[static_cast<std::size_t>(group)];
+    flux.end();
+    for_each_strand(tile.strands.of(hit.strands), hit.frames, [&](FrameSet frames, const Rgb& weight) {
+      frames.for_each([&](Frame f) {
+        sum(group, hit.pixel, f) +=
+            flux.in(f) * (hit.throughput * weight / kernel_size(within2[static_cast<std::size_t>(f)]));
+      });
+    });
+  }
+}
+
+Rgb GroupSums::radiance(int group, int pixel, Frame frame, int iterations) const {
+  if (iterations == 0) return {};
+  return sums_[index(group, pixel, frame)] * static_cast<float>(1 / static_cast<double>(iterations * of_.photons));
+}
+
+}  // namespace dspm

@@ -1,0 +1,12 @@
+// Path tracing.
+#pragma once
+
+#include "dspm/base/params/params.h"
+#include "dspm/integrators/integrator.h"
+#include "dspm/world/scene/scene.h"
+
+namespace dspm {
+
+std::unique_ptr<Integrator> make_path(ParamReader& params, const Scene& scene, const RenderSettings& render);
+
+}  // namespace dspm

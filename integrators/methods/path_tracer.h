@@ -1,0 +1,131 @@
+// Path tracing with next event estimation, both ways of finding a light combined by the balance heuristic [Veach 1997].
+#pragma once
+
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/integrators/caught_light.h"
+#include "dspm/integrators/seen_light.h"
+#include "dspm/integrators/transport/balance.h"
+#include "dspm/integrators/transport/branching_path.h"
+#include "dspm/integrators/transport/camera_path.h"
+#include "dspm/integrators/transport/direct_light.h"
+#include "dspm/integrators/transport/light_value.h"
+#include "dspm/world/scene/scene.h"
+
+namespace dspm {
+
+/// The limits of paths.
+struct PathLimits {
+  int max_depth;
+  bool indirect;  // else a path that a rough surface has scattered only looks for lights
+};
+
+/// Camera paths that look for lights at each vertex. `out` gets all light, and how often it has been scattered:
+/// out.add(const SeenLight&, int scatterings).
+template <class Out>
+class PathTracer {
+ public:
+  PathTracer(const Scene& scene, const RenderSettings& render, const PathLimits& limits, Out& out)
+      : scene_(scene), render_(render), limits_(limits), out_(out), branches_(scene, counts_) {}
+
+  void trace(int x, int y, std::uint64_t iteration) {
+    start_camera_paths(
+        scene_, render_, x, y, iteration, [&](const CameraPath& path) { set_out(path); },
+        [&](const CameraPath& path) { reject(path, path.frames, {SceneElement::Kind::camera}); });
+    branches_.follow(*this);
+    branches_.count_path();
+  }
+
+  const PathCounts& counts() const { return counts_; }
+  const Rejections& rejections() const { return rejections_; }
+
+ private:
+  friend BranchingPath<CameraPath>;
+
+  bool postpones(const CameraPath&, const HitPartition&) { return false; }
+
+  void arrived(const CameraPath& arriving, const Vertex& vertex) {
+    CameraPath path = arriving;
+    path.arrive(scene_, vertex);
+    for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
+      add_emission(path, vertex, frames);
+      if (path.bounces >= limits_.max_depth || path.indirect) return;
+      add_direct_light(path, vertex, frames, bsdf);
+      CameraPath branch = path;
+      branch.frames = frames, branch.travel(vertex.hit.t);
+      scatter(branch, vertex, bsdf);
+    });
+  }
+
+  void escaped(const CameraPath& path, FrameSet frames) {
+    if (render_.transparent && path.bounces == 0) return;
+    for_each_escape(scene_, frames, path.ray, path.bounces,
+                    [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
+                      add(path, path.bounces, lit,
+                          path.throughput * radiance * weight_of_escape(scene_, path, scene_light, light),
+                          [&] { return light_element(scene_, scene_light); });
+                    });
+  }
+
+  void lost(const CameraPath& path, FrameSet frames, const SceneElement& giver) { reject(path, frames, giver); }
+
+  void add_emission(const CameraPath& path, const Vertex& vertex, FrameSet frames) {
+    for_each_emission(scene_, vertex, frames, [&](FrameSet lit, const Rgb& radiance, const Light& light) {
+      add(path, path.bounces, lit, path.throughput * radiance * weight_of_hit(scene_, path, vertex, light),
+          [&] { return vertex.emitter_element(); });
+    });
+  }
+
+  void add_direct_light(const CameraPath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf) {
+    const auto scattered = [&](const LightSample& sample) {
+      const LobeSet all = bsdf.all_lobes();
+      const Rgb f = bsdf.evaluate(vertex.wo, sample.lit.wi, Transport::radiance, all);
+      if (is_black(f) || !(sample.pdf_w > 0)) return f;
+      return f * balance(sample.pdf_w, bsdf.pdf_w(vertex.wo, sample.lit.wi, Transport::radiance, all));
+    };
+    sample_direct_light(scene_, path, vertex, frames, counts_, scattered,
+                        [&](FrameSet lit, const Rgb& radiance, auto&& giver) {
+                          add(path, path.bounces + 1, lit, path.throughput * radiance, giver);
+                        });
+  }
+
+  void scatter(CameraPath& path, const Vertex& vertex, const Bsdf& bsdf) {
+    const int bounce = path.bounces;
+    const auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::radiance, bsdf.all_lobes());
+    if (!sample) return;
+    extend(path, vertex, *sample);
+    if (!is_finite(path.ray) || !is_light(path.throughput)) return reject(path, path.frames, vertex.material_element());
+    path.leave(vertex, *sample);
+    path.indirect = !limits_.indirect && !sample->specular;
+    if (!is_black(path.throughput) &&
+        survives(path, roulette_chance(path.throughput, path.eta_scale, bounce), path.random.number(bounce, kRoulette)))
+      set_out(path);
+  }
+
+  void set_out(const CameraPath& path) {
+    if (path.bounces < limits_.max_depth && !path.indirect) prefetch_direct_light(scene_, path);
+    branches_.push(path);
+  }
+
+  /// Adds light. `giver` returns its source: the light if the radiance is finite, else the one to blame.
+  template <class WhoGave>
+  void add(const CameraPath& path, int scatterings, FrameSet frames, const Rgb& radiance, WhoGave&& giver) {
+    if (is_light(radiance))
+      return out_.add({frames, radiance, path.pixel, light_of(giver()), path.caught}, scatterings);
+    reject(path, frames, giver());
+  }
+  void reject(const CameraPath& path, FrameSet frames, const SceneElement& giver) {
+    rejections_.add(giver, frames, path.pixel);
+  }
+
+  const Scene& scene_;
+  const RenderSettings& render_;
+  const PathLimits& limits_;
+  Out& out_;
+  PathCounts counts_;
+  Rejections rejections_;
+  BranchingPath<CameraPath> branches_;
+};
+
+}  // namespace dspm

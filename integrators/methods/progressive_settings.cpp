@@ -1,0 +1,80 @@
+#include "dspm/integrators/guiding/emission_of_file.h"
+#include "dspm/integrators/methods/progressive_settings.h"
+
+#include <fmt/format.h>
+
+#include "dspm/base/params/params.h"
+#include "dspm/integrators/guiding/learn_indirect.h"
+#include "dspm/integrators/max_depth.h"
+#include "dspm/integrators/pixel_count.h"
+#include "dspm/integrators/random_params.h"
+
+namespace dspm {
+
+ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderSettings& render) {
+  ProgressiveSettings s;
+  params.alias("photonsperiteration", "photons");
+  params.former_name("mixture", "sharepaths");
+  s.iterations =
+      params.integer("iterations", render.default_iterations, "",
+                     "number of iterations; 0: until stopped. The default is the sampler's pixelsamples, else 256");
+  s.photons = params.integer("photons", s.photons, "", "photon paths per iteration; also named photonsperiteration");
+  s.hit_point.radius =
+      params.number("radius", 0, "world units",
+                    "initial search radius; 0: four pixel spacings at the hit point, at most 5% of the scene's radius");
+  s.alpha = params.number("alpha", s.alpha, "", "fraction of the new photons kept as the radius shrinks, in (0, 1)");
+  const int max_depth =
+      params.integer("maxdepth", 8, "", "maximum number of bounces, for camera paths and for photon paths");
+  s.kz11 = params.choice("estimator", "kz11", {"hj09", "kz11"},
+                         "hj09: each pixel shrinks its own radius; kz11: the radius depends only on the iteration") ==
+           "kz11";
+  const std::string direct =
+      params.choice("direct", "both", {"both", "photons", "sampled"},
+                    "direct light by photons, by shadow rays from the hit points, or by both, each weighted by how "
+                    "well it finds the light");
+  const std::string indirect = params.choice(
+      "indirect", "auto", {"auto", "photons", "paths"},
+      "light that rough surfaces scatter to others by photons, or by camera paths that go on from hit points and leave "
+      "only caustics to photons; auto: what has less noise, unless direct is photons");
+  s.guided = read_emission(params);
+  const float least_alpha = params.number("gatheralpha", 0.25f, "GGX alpha",
+                                          "lobes at least this rough gather photons; smoother ones extend the path");
+  const bool share_paths =
+      params.flag("sharepaths", true,
+                  "frames that differ only in appearance or light share paths, each with a weight; false: they part");
+  describe_random_numbers(params);
+  const auto demand = [&](bool holds, std::string_view name, const char* what) {
+    if (!holds) params.error(name, what);
+  };
+  demand(s.photons > 0 || s.photons == -1, "photons", "there must be at least one photon per iteration");
+  demand(s.iterations >= 0, "iterations", "the number of iterations must not be negative");
+  demand(s.hit_point.radius >= 0, "radius", "the radius must not be negative");
+  demand(s.alpha > 0 && s.alpha < 1, "alpha", "alpha must lie between 0 and 1");
+  demand(least_alpha > 0, "gatheralpha", "gatheralpha must be positive: nothing gathers on a mirror");
+  if (indirect == "paths" && !s.kz11)
+    params.error("indirect",
+                 "camera paths that go on need estimator \"kz11\": with \"hj09\" a pixel has one hit point");
+  check_max_depth(params, max_depth, 1);
+  params.finish();
+  if (s.photons == -1) s.photons = pixel_count(render);  // pbrt's default
+  s.photon.seed = render.seed;
+  s.photon.max_depth = s.hit_point.max_depth = max_depth;
+  s.photon.least_alpha = s.hit_point.least_alpha = least_alpha;
+  s.photon.kinds = direct == "sampled" ? kCausticPhotons | kDiffusePhotons : kAllPhotons;
+  s.photon.share_paths = s.hit_point.share_paths = share_paths;
+  s.hit_point.sample_direct = direct != "photons";
+  s.hit_point.photons_as_well = s.photon.rays_tell = direct == "both";
+  s.photon.hidden = true;
+  s.may_go_on = indirect == "auto" && s.kz11 && direct != "photons";
+  if (indirect == "paths") s.hit_point = going_on(s.hit_point), s.photon = without_diffuse(s.photon);
+  return s;
+}
+
+std::string in_words(const ProgressiveSettings& s) {
+  const float radius = s.hit_point.radius;
+  return fmt::format("{} photons per iteration, initial radius {}, estimator {}, gathering at GGX alpha {} and above",
+                     s.photons, radius > 0 ? fmt::format("{}", radius) : "from the pixel footprint",
+                     s.kz11 ? "kz11" : "hj09", s.photon.least_alpha);
+}
+
+}  // namespace dspm

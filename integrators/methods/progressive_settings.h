@@ -1,0 +1,27 @@
+// The parameters that dsppm and sppm share.
+#pragma once
+
+#include "dspm/base/params/params.h"
+#include "dspm/integrators/methods/estimator.h"
+#include "dspm/integrators/photons/photon.h"
+
+namespace dspm {
+
+struct ProgressiveSettings {
+  int iterations = 256;  // 0: until stopped
+  int photons = 300000;  // paths per iteration, in each frame
+  float alpha = 0.7f;
+  bool kz11 = true;       // the estimator; else hj09
+  bool guided = true;     // photons start where they are found; else by the lights' power
+  bool may_go_on = true;  // camera paths, from hit points, if that pays
+  PhotonSettings photon;
+  HitPointSettings hit_point;
+};
+
+/// Returns the settings in words, for the log.
+std::string in_words(const ProgressiveSettings& settings);
+
+/// Reads the parameters and calls finish().
+ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderSettings& render);
+
+}  // namespace dspm

@@ -1,0 +1,141 @@
+// Integrator "sppm" "integer iterations" 64 "integer photons" 300000
+//
+// Stochastic progressive photon mapping of a single frame, as [HJ09] or with [KZ11]'s radii: the honest baseline. It
+// shares nothing between frames: the session gives it a scene of one frame at a time, and every pixel has one radius
+// and one hit point. Parameters: see progressive_settings.cpp.
+#include "dspm/integrators/methods/sppm.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+#include <vector>
+
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/base/params/params.h"
+#include "dspm/base/system/parallel.h"
+#include "dspm/integrators/methods/progressive.h"
+#include "dspm/integrators/photons/kernel_size.h"
+#include "dspm/integrators/possible_state.h"
+#include "dspm/world/scene/scene.h"
+
+namespace dspm {
+namespace {
+
+PassSums gather_at_one(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map, float radius2,
+                       GatherCounts& counts) {
+  PassSums sums;
+  RgbLanes phi;
+  gather(hit, scattering, map, radius2, counts,
+         [&](const Strand*, FrameSet, RgbLanes flux, float) { ++sums.M, phi += flux; });
+  sums.phi = phi.rgb() * hit.throughput;
+  return sums;
+}
+
+class Hj09 final : public PixelEstimator {
+ public:
+  explicit Hj09(const EstimatorSettings& of)
+      : of_(of), pixels_(of.pixel_frames()), passes_(of.batched ? of.pixel_frames() : 0) {
+    assert(of.frames == 1);
+  }
+  static std::size_t bytes(const EstimatorSettings& of) {
+    return of.pixel_frames() * (sizeof(PixelStatistics) + (of.batched ? sizeof(PassSums) : 0));
+  }
+
+  float search_radius2(const HitPoint& hit) const override {
+    const float R2 = pixels_[static_cast<std::size_t>(hit.pixel)].R2;
+    return R2 > 0 ? R2 : hit.radius * hit.radius;
+  }
+
+  void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) override {
+    const auto at = static_cast<std::size_t>(hit.pixel);
+    pixels_[at].begin(hit.radius * hit.radius);
+    const PassSums sums = gather_at_one(hit, tile.scattering_of(hit), map, pixels_[at].R2, counts);
+    if (of_.batched)
+      passes_[at] += sums;
+    else
+      pixels_[at].absorb(sums, of_.alpha);
+  }
+
+  void see(const SeenLight& light) override {
+    pixels_[static_cast<std::size_t>(light.pixel)].see(light.radiance, static_cast<float>(of_.photons));
+  }
+
+  void end_iteration() override {
+    parallel_for(static_cast<std::int64_t>(passes_.size()), 1 << 14, [&](std::int64_t i) {
+      const auto at = static_cast<std::size_t>(i);
+      pixels_[at].absorb(std::exchange(passes_[at], {}), of_.alpha);
+    });
+    ++iterations_;
+  }
+
+  bool adds_up() const override { return false; }
+  void forget_iteration() override { std::fill(passes_.begin(), passes_.end(), PassSums()); }
+
+  void persist(StateStream& state) override {
+    state.value(iterations_);
+    expect_iterations(iterations_);
+    state.value(pixels_);
+  }
+
+  Rgb radiance(int pixel, Frame) const override {
+    return statistics(pixel, 0)->radiance(static_cast<double>(iterations_ * of_.photons));
+  }
+  std::optional<PixelStatistics> statistics(int pixel, Frame) const override {
+    return pixels_[static_cast<std::size_t>(pixel)];
+  }
+
+ private:
+  EstimatorSettings of_;
+  int iterations_ = 0;
+  std::vector<PixelStatistics> pixels_;
+  std::vector<PassSums> passes_;  // of the iteration so far, if its photons come in batches
+};
+
+class Kz11 final : public PixelEstimator {
+ public:
+  explicit Kz11(const EstimatorSettings& of) : of_(of), sums_(of.pixel_frames()) { assert(of.frames == 1); }
+  static std::size_t bytes(const EstimatorSettings& of) { return of.pixel_frames() * sizeof(Rgb); }
+
+  float search_radius2(const HitPoint& hit) const override { return radius_.squared(hit); }
+
+  void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) override {
+    const float radius2 = radius_.squared(hit);
+    sums_[static_cast<std::size_t>(hit.pixel)] +=
+        gather_at_one(hit, tile.scattering_of(hit), map, radius2, counts).phi / kernel_size(radius2);
+  }
+
+  // Every iteration emits the same number of photons, so seen light is weighted by it and needs no separate sums.
+  void see(const SeenLight& light) override {
+    sums_[static_cast<std::size_t>(light.pixel)] += light.radiance * static_cast<float>(of_.photons);
+  }
+
+  void begin_iteration(int iteration) override { radius_.go_to(iteration, of_.alpha); }
+  void end_iteration() override { ++iterations_; }
+
+  void persist(StateStream& state) override {
+    state.sum(iterations_);
+    expect_iterations(iterations_);
+    state.sum(sums_);
+  }
+
+  Rgb radiance(int pixel, Frame) const override {
+    const auto emitted = static_cast<double>(iterations_ * of_.photons);
+    return emitted > 0 ? sums_[static_cast<std::size_t>(pixel)] * static_cast<float>(1 / emitted) : Rgb();
+  }
+
+ private:
+  EstimatorSettings of_;
+  IterationRadius radius_;
+  int iterations_ = 0;     // done
+  std::vector<Rgb> sums_;  // radiance times photons
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> make_sppm(ParamReader& params, const Scene& scene, const RenderSettings& render) {
+  const ProgressiveSettings settings = read_progressive_settings(params, render);
+  return make_progressive(settings, scene, render, settings.kz11 ? estimator_kind<Kz11>() : estimator_kind<Hj09>());
+}
+
+}  // namespace dspm

@@ -1,0 +1,297 @@
+#include "dspm/integrators/methods/vcm/camera_subpaths.h"
+
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/base/system/parallel.h"
+#include "dspm/integrators/methods/vcm/connection.h"
+#include "dspm/integrators/methods/vcm/light_densities.h"
+#include "dspm/integrators/photons/gather.h"
+#include "dspm/integrators/photons/surface_kernel.h"
+#include "dspm/integrators/tiles.h"
+#include "dspm/integrators/transport/branching_path.h"
+#include "dspm/integrators/transport/camera_path.h"
+#include "dspm/integrators/transport/joint_path.h"
+#include "dspm/integrators/transport/light_value.h"
+#include "dspm/world/scene/scene.h"
+
+namespace dspm {
+namespace {
+
+constexpr int kTileSide = 16;
+constexpr int kManyLights = -1;  // already in their groups' sums
+
+struct CameraSubpath : CameraPath {
+  SubpathWeights weights;  // beyond the last vertex
+};
+
+class CameraSubpathTracer {
+ public:
+  CameraSubpathTracer(const VcmPass& pass, const LightSubpaths& light, const LightVertexMap& map, SeenLightSums& sums)
+      : pass_(pass), scene_(pass.scene), light_(light), map_(map), sums_(sums), branches_(pass.scene, counts_) {}
+
+  void trace(int x, int y) {
+    strands_.clear();
+    pixel_ = camera_path_index(pass_.render, x, y), loaded_ = false;
+    start_camera_paths(
+        scene_, pass_.render, x, y, pass_.iteration,
+        [&](const CameraPath& path) {
+          branches_.push({path, {}});
+        },
+        [&](const CameraPath& path) { reject(path, path.frames, {SceneElement::Kind::camera}); });
+    branches_.follow(*this);
+    branches_.count_path();
+  }
+
+  const PathCounts& counts() const { return counts_; }
+  const GatherCounts& gathers() const { return gathers_; }
+
+ private:
+  friend BranchingPath<CameraSubpath>;
+
+  /// The pixel's light subpath, the same in any crop.
+  const LightSubpath& light_subpath() {
+    if (!loaded_) {
+      const StrandTable* strands = nullptr;
+      const auto vertices = light_.of(pixel_ % static_cast<std::uint64_t>(pass_.settings.photons), strands);
+      light_subpath_.load(scene_, vertices, *strands);
+    }
+    loaded_ = true;
+    return light_subpath_;
+  }
+
+  bool postpones(const CameraSubpath&, const HitPartition&) { return false; }
+  StrandTable& strands() { return strands_; }
+
+  void escaped(const CameraSubpath& path, FrameSet frames) {
+    if (pass_.render.transparent && path.bounces == 0) return;
+    const Vec3& w = path.ray.direction;
+    for_each_escape(scene_, frames, path.ray, path.bounces,
+                    [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
+                      const float next_event = light_samples(scene_, scene_light) * light.escaped_pdf_w(path.ray);
+                      const LightStart start{{path.ray.origin, -w}, {}, -1};
+                      // Nothing else finds a light that the camera sees.
+                      const float emission = path.bounces > 0 ? emission_density(pass_, scene_light, light, start) : 0;
+                      add(path,
+                          {lit, radiance * weight_of_hit(path, next_event, emission), nullptr,
+                           light_element(scene_, scene_light).index},
+                          [&] { return light_element(scene_, scene_light); });
+                    });
+  }
+
+  void lost(const CameraSubpath& path, FrameSet frames, const SceneElement& giver) { reject(path, frames, giver); }
+
+  void arrived(const CameraSubpath& path, const Vertex& vertex) {
+    const float cosine = std::abs(dot(vertex.wo, vertex.point.ng));
+    if (!(cosine > 0)) return;
+    CameraSubpath here = path;
+    here.frames = vertex.frames, here.travel(vertex.hit.t);
+    here.arrive(scene_, vertex);
+    here.weights = vertex.point.turns ? SubpathWeights{}
+                   : path.bounces > 0 ? path.weights.arrived(vertex.hit.t * vertex.hit.t, cosine, path.walk.is_inside())
+                                      : weights_at_first_vertex(path, vertex, cosine);
+    add_emission(here, vertex);
+    if (path.bounces >= pass_.settings.max_depth) return;
+    FrameArray<Surface> surfaces;
+    FrameArray<SubpathScattering> scattered;
+    for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
+      if (can_connect(bsdf)) {
+        surfaces.add({frames, BsdfSlot::copy_of(bsdf)});
+        add_next_event(here, vertex, frames, bsdf);
+        if (pass_.ways.merging > 0 && vertex.point.turns)
+          merge_on_curve(here, vertex, frames, bsdf);
+        else if (pass_.ways.merging > 0)
+          merge(here, vertex, frames, bsdf);
+      }
+      const auto scattering = scatter(here, vertex, frames, bsdf, Transport::radiance);
+      if (scattering && is_finite(scattering->sample.wi))
+        scattered.add(*scattering);
+      else if (scattering)
+        reject(here, frames, vertex.material_element());
+    });
+    if (pass_.ways.connecting && !surfaces.empty()) connect(here, vertex, std::span<const Surface>(surfaces));
+    for_each_joint(scattered, pass_.settings.share_paths,
+                   [&](const SubpathScattering& first, std::span<const FrameFactor> factors) {
+                     extend(here, vertex, first, factors);
+                   });
+  }
+
+  /// Vertices on curves are not merged: being hit by a light subpath is not a density over the points of a surface that
+  /// turns to each ray, so light subpaths end there.
+  VcmWays ways_at(const Vertex& vertex) const { return vertex.point.turns ? pass_.ways.without_merging() : pass_.ways; }
+
+  /// A camera that cannot tell where it sees a point has no light subpaths connected to it.
+  SubpathWeights weights_at_first_vertex(const CameraSubpath& path, const Vertex& vertex, float cosine) const {
+    if (pass_.ways.sighting == 0) return {};
+    const auto sight = path.camera->sight(vertex.point.p, path.random.pair(0, kLightDirection));
+    return sight ? SubpathWeights::at_first_vertex(pass_.ways, sight->pixels_per_area * cosine) : SubpathWeights{};
+  }
+
+  /// `next_event` is the density, by solid angle, of a shadow ray from the last vertex to the light.
+  float weight_of_hit(const CameraSubpath& path, float next_event, float emission) const {
+    return dspm::weight_of_hit(pass_.ways, path.pdf_w > 0 ? next_event / path.pdf_w : 0, emission, path.weights);
+  }
+
+  void add_emission(const CameraSubpath& path, const Vertex& vertex) {
+    for_each_emission(scene_, vertex, path.frames, [&](FrameSet lit, const Rgb& radiance, const Light& light) {
+      const SceneLight& scene_light = scene_.lights[static_cast<std::size_t>(vertex.shape.light)];
+      const SurfacePoint& point = vertex.point;
+      const int primitive = vertex.hit.primitive;
+      const float next_event =
+          path.pdf_w > 0 ? light_samples(scene_, scene_light) * light.pdf_w(path.from, point, primitive) : 0;
+      const float emission = emission_density(pass_, scene_light, light, {{point.p, vertex.wo}, point.ng, primitive});
+      add(path, {lit, radiance * weight_of_hit(path, next_event, emission), nullptr, vertex.shape.light},
+          [&] { return vertex.emitter_element(); });
+    });
+  }
+
+  void add_next_event(const CameraSubpath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf) {
+    const LobeSet lobes = bsdf.all_lobes();
+    const VcmWays ways = ways_at(vertex);
+    const auto scattered = [&](const LightSample& sample) {
+      const Vec3& wi = sample.lit.wi;
+      const Rgb f = bsdf.evaluate(vertex.wo, wi, Transport::radiance, lobes);
+      if (is_black(f)) return f;
+      const float hit = sample.pdf_w > 0 ? bsdf.pdf_w(vertex.wo, wi, Transport::radiance, lobes) / sample.pdf_w : 0;
+      return f * weight_of_next_event(ways, hit,
+                                      {path.weights, bsdf.pdf_w(wi, vertex.wo, Transport::flux, lobes),
+                                       emission_over_next_event(pass_, sample, vertex.point), merging_after(ways, 0)});
+    };
+    sample_direct_light(scene_, path, vertex, frames, counts_, scattered,
+                        [&](FrameSet lit, const Rgb& radiance, auto&& giver) {
+                          add(path, {lit, radiance, nullptr, light_of(giver())}, giver);
+                        });
+  }
+
+  void connect(const CameraSubpath& path, const Vertex& vertex, std::span<const Surface> surfaces) {
+    const CameraVertex end{vertex, surfaces, path.frames, path.bounces, path.inside, path.weights, ways_at(vertex)};
+    light_subpath().for_each_connection(pass_, end, counts_, [&](const Brought& brought) {
+      add(path, brought, [&] { return vertex.material_element(); });
+    });
+  }
+
+  void merge(const CameraSubpath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf) {
+    const LobeSet lobes = bsdf.all_lobes();
+    const auto giver = [&] { return vertex.material_element(); };
+    const SurfacePoint& point = vertex.point;
+    const SameSurface surface(point.p, dot(vertex.wo, point.ng) < 0 ? -point.ng : point.ng, point.p_error,
+                              ShapeFace(vertex.hit.shape, point.ng, vertex.wo), pass_.radius);
+    const bool transmits = bsdf.transmits(lobes);
+    gathers_.gathers.add(frames.count());
+    Rgb shared;  // by all frames
+    gathers_.tests += map_.for_each_within(
+        vertex.point.p, pass_.radius * pass_.radius, frames, [&](const LightVertex& light, const Strand* strands) {
+          const FrameSet common = light.frames & frames;
+          if (common.empty() || path.bounces + light.bounces + 1 > pass_.settings.max_depth) return;
+          gathers_.found.add(common.count());
+          if (transmits && !surface.counts(light.p, light.wi, light.face)) return;
+          const Rgb f = bsdf.evaluate(vertex.wo, light.wi, Transport::radiance, lobes);
+          if (is_black(f)) return;
+          const float weight = weight_of_merging(
+              pass_.ways, {light.weights, bsdf.pdf_w(vertex.wo, light.wi, Transport::radiance, lobes)},
+              {path.weights, bsdf.pdf_w(light.wi, vertex.wo, Transport::flux, lobes)});
+          const Rgb radiance = light.flux * f * (weight / pass_.ways.merging);
+          const Brought brought{common, radiance, strands, light.light};
+          if (common == frames && strands == nullptr && is_light(radiance)) {
+            shared += radiance;
+            if (sums_.has_parts()) add_to_part(path, brought);
+          } else {
+            add(path, brought, giver);
+          }
+        });
+    if (!is_black(shared)) add(path, {frames, shared, nullptr, kManyLights}, giver);
+  }
+
+  /// Merges on a curve, with the light that nothing else brings there.
+  void merge_on_curve(const CameraSubpath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf) {
+    const StripPlace place(vertex.shape, vertex.hit, vertex.wo);
+    gathers_.gathers.add(frames.count());
+    gathers_.tests += map_.on_curves().for_each_within(
+        place, pass_.radius, [&](const CurvePhoton& light, const Strand* strands, float irradiance, const auto&) {
+          const FrameSet common = light.frames & frames;
+          if (common.empty() || path.bounces + light.bounces + 1 > pass_.settings.max_depth) return;
+          gathers_.found.add(common.count());
+          const Rgb f = bsdf.evaluate(vertex.wo, light.wi, Transport::radiance, bsdf.all_lobes());
+          const float share =
+              irradiance * std::abs(dot(light.wi, vertex.point.ns)) / static_cast<float>(pass_.settings.photons);
+          add(path, {common, light.flux * f * share, strands, light.light}, [&] { return vertex.material_element(); });
+        });
+  }
+
+  void extend(const CameraSubpath& path, const Vertex& vertex, const SubpathScattering& scattering,
+              std::span<const FrameFactor> factors) {
+    const BsdfSample& sample = scattering.sample;
+    CameraSubpath& branch = branches_.push(path);
+    extend_ray(branch, vertex, sample);
+    branch.leave(vertex, sample);
+    const float cosine = std::abs(dot(sample.wi, vertex.point.ng));
+    branch.weights = sample.specular ? path.weights.mirrored(cosine)
+                                     : path.weights.camera_scattered(ways_at(vertex), sample.pdf_w,
+                                                                     scattering.reverse_pdf_w, cosine);
+    const float u = path.random.number(path.bounces, kRoulette);
+    const auto roulette = [&](StrandList, FrameSet frames, const Rgb&, const Rgb& after) {
+      if (!is_light(after)) {
+        reject(path, frames, vertex.material_element());
+        return Rgb();
+      }
+      const float p = roulette_chance(after, branch.eta_scale, path.bounces);
+      return p >= 1 ? after : u < p ? after * (1 / p) : Rgb();
+    };
+    const ByRatio by_ratio = path.bounces < kFirstRouletteBounce ? ByRatio::yes : ByRatio::no;
+    if (!multiply(branch, factors, strands_, by_ratio, roulette)) branches_.drop();
+  }
+
+  /// Adds light. `giver` returns its source, which is blamed if it is negative or not finite.
+  template <class WhoGave>
+  void add(const CameraSubpath& path, const Brought& brought, WhoGave&& giver) {
+    for_each_strand(strands_.of(path.strands), brought.frames, [&](FrameSet alike, const Rgb& own) {
+      for_each_strand(brought.strands, alike, [&](FrameSet frames, const Rgb& weight) {
+        const Rgb seen = path.throughput * own * brought.radiance * weight;
+        if (!is_light(seen)) return reject(path, frames, giver());
+        sums_.add({frames, seen, path.pixel, brought.light, path.caught});
+      });
+    });
+  }
+  /// Adds the part of light without strands that is summed up before it is added.
+  void add_to_part(const CameraSubpath& path, const Brought& brought) {
+    for_each_strand(strands_.of(path.strands), brought.frames, [&](FrameSet alike, const Rgb& own) {
+      const Rgb seen = path.throughput * own * brought.radiance;
+      if (is_light(seen) && !path.caught) sums_.add_to_part({alike, seen, path.pixel, brought.light});
+    });
+  }
+  void reject(const CameraPath& path, FrameSet frames, const SceneElement& giver) {
+    gathers_.rejections.add(giver, frames, path.pixel);
+  }
+
+  const VcmPass& pass_;
+  const Scene& scene_;
+  const LightSubpaths& light_;
+  const LightVertexMap& map_;
+  SeenLightSums& sums_;
+  PathCounts counts_;
+  GatherCounts gathers_;
+  std::uint64_t pixel_ = 0;
+  LightSubpath light_subpath_;  // of that pixel, once loaded
+  bool loaded_ = false;
+  StrandTable strands_;  // of the pixel's path
+  BranchingPath<CameraSubpath> branches_;
+};
+
+}  // namespace
+
+void trace_camera_subpaths(const VcmPass& pass, const LightSubpaths& light, const LightVertexMap& map,
+                           SeenLightSums& sums, Statistics& statistics) {
+  const PixelRect& crop = pass.render.crop;
+  const auto tiles = static_cast<std::size_t>(tile_count(crop, kTileSide));
+  std::vector<PathCounts> paths(tiles);
+  std::vector<GatherCounts> gathers(tiles);
+  parallel_for(static_cast<std::int64_t>(tiles), 1, [&](std::int64_t t) {
+    CameraSubpathTracer tracer(pass, light, map, sums);
+    for_each_pixel_of_tile(crop, kTileSide, static_cast<int>(t), [&](int x, int y) { tracer.trace(x, y); });
+    paths[static_cast<std::size_t>(t)] = tracer.counts(), gathers[static_cast<std::size_t>(t)] = tracer.gathers();
+  });
+  for (const PathCounts& counts : paths) statistics.camera += counts;
+  account(gathers, statistics);
+}
+
+}  // namespace dspm

@@ -1,0 +1,89 @@
+// The light subpath that a camera path is connected to, and the connections of a camera vertex to its vertices: one
+// shadow ray for all frames that hold both ends, each frame with its own scattering functions and weight.
+#pragma once
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/frame_array.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/base/math/ray.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/integrators/methods/vcm/light_subpaths.h"
+#include "dspm/integrators/methods/vcm/vcm_pass.h"
+#include "dspm/integrators/transport/direct_light.h"
+#include "dspm/world/scene/scene.h"
+
+namespace dspm {
+
+/// One of a vertex's scattering functions.
+struct Surface {
+  FrameSet frames;
+  BsdfSlot bsdf;
+};
+
+/// A vertex of a camera subpath.
+struct CameraVertex {
+  const Vertex& vertex;
+  std::span<const Surface> surfaces;  // those that can be connected
+  FrameSet frames;
+  int bounces;
+  Inside inside;  // of the segment before
+  SubpathWeights weights;
+  VcmWays ways;  // there
+};
+
+/// Light that comes along one way, in some frames. `strands` are the light subpath's, still to be multiplied.
+struct Brought {
+  FrameSet frames;
+  Rgb radiance;
+  const Strand* strands;
+  int light;  // into the scene's
+};
+
+class LightSubpath {
+ public:
+  void load(const Scene& scene, std::span<const LightVertex> vertices, const StrandTable& strands);
+
+  /// Calls fn(const Brought&) for what each vertex sends by way of the camera vertex, if nothing is in between.
+  template <class Fn>
+  void for_each_connection(const VcmPass& pass, const CameraVertex& camera, PathCounts& counts, Fn&& fn) const {
+    for (const End& end : ends_) {
+      if (camera.bounces + end.vertex->bounces + 2 > pass.settings.max_depth) continue;
+      const FrameSet frames = camera.frames & end.vertex->frames;
+      const Vec3 way = end.point.p - camera.vertex.point.p;
+      const float distance = length(way);
+      if (frames.empty() || !(distance > 0)) continue;
+      FrameArray<Brought> parts;
+      const FrameSet joined = join(pass, camera, end, frames, way / distance, distance, parts);
+      if (joined.empty()) continue;
+      ++counts.shadow_rays;
+      const Ray segment = shadow_ray(camera.vertex.point, {way / distance, distance, Rgb(), 0});
+      const Inside inside = camera.vertex.inside_beyond(camera.inside, segment.direction);
+      for_each_open(pass.scene, segment, inside, joined, [&](FrameSet open, const Rgb& transmittance) {
+        for (const Brought& part : parts)
+          if (const FrameSet lit = part.frames & open; !lit.empty())
+            fn(Brought{lit, part.radiance * transmittance, part.strands, part.light});
+      });
+    }
+  }
+
+ private:
+  struct End {
+    const LightVertex* vertex;
+    const Strand* strands;
+    SurfacePoint point;
+    std::size_t first, count;  // of its surfaces
+  };
+
+  /// Adds what comes from the end in each of these frames if nothing is in between; returns the frames with light.
+  FrameSet join(const VcmPass& pass, const CameraVertex& camera, const End& end, FrameSet frames, const Vec3& w,
+                float distance, FrameArray<Brought>& parts) const;
+
+  std::vector<End> ends_;
+  std::vector<Surface> surfaces_;  // of all ends
+};
+
+}  // namespace dspm

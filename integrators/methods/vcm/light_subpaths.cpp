@@ -1,0 +1,271 @@
+#include "dspm/integrators/methods/vcm/light_subpaths.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dspm/base/system/parallel.h"
+#include "dspm/integrators/methods/vcm/light_densities.h"
+#include "dspm/integrators/photons/photon.h"
+#include "dspm/integrators/photons/photon_starts.h"
+#include "dspm/integrators/transport/branching_path.h"
+#include "dspm/integrators/transport/joint_path.h"
+#include "dspm/integrators/transport/light_value.h"
+#include "dspm/integrators/transport/mixed_frames.h"
+#include "dspm/world/scene/scene.h"
+
+namespace dspm {
+namespace {
+
+constexpr std::int64_t kPathsPerChunk = 2048;
+
+struct LightPath : PathState {
+  SubpathWeights weights;  // beyond the last vertex
+  float merging = 0;       // what merges count at the next one
+  bool hidden = false;     // see PhotonTrace::hidden
+};
+
+class LightPathTracer {
+ public:
+  LightPathTracer(const VcmPass& pass, const PhotonStarts& starts, LightTrace& out)
+      : pass_(pass), scene_(pass.scene), starts_(starts), out_(out), branches_(pass.scene, out.paths) {}
+
+  void trace(std::uint64_t path_index) {
+    const PathRandom random(pass_.render.seed, Stream::photon, path_index, pass_.iteration);
+    for (std::size_t choice = 0; choice < scene_.light_choices.size(); ++choice)
+      if (!scene_.light_choices[choice].frames.empty()) start(choice, random);
+    branches_.count_path();
+    out_.ends.push_back(out_.vertices.size());
+  }
+
+ private:
+  friend BranchingPath<LightPath>;
+
+  void start(std::size_t choice, const PathRandom& random) {
+    const EmissionStart chosen = start_of(pass_.guides, scene_, choice, random);
+    if (chosen.density == 0) return;
+    for (const PhotonStart& start : starts_.of(choice, chosen.light)) {
+      // States that would start alike with other densities than their own part.
+      if (start.varied == nullptr)
+        follow(chosen, start, random);
+      else
+        for (const auto& [frames, light] : start.varied->states)
+          if (const FrameSet common = frames & start.frames; !common.empty())
+            follow(chosen, {light.get(), common, Rgb(1), 0, nullptr, start.inside}, random);
+    }
+  }
+
+  void follow(const EmissionStart& chosen, const PhotonStart& start, const PathRandom& random) {
+    const SceneLight& scene_light = scene_.lights[static_cast<std::size_t>(chosen.light)];
+    const EmissionNumbers& u = chosen.numbers;
+    const auto emission = start.light->emit({u[0], u[1]}, {u[2], u[3]});
+    if (!emission || is_black(emission->flux) || !(emission->pdf.position * emission->pdf.direction > 0)) return;
+    const Rgb flux = emission->flux * start.factor / chosen.density;
+    if (!is_light(flux) || !is_finite(emission->ray))
+      return out_.rejections.add({SceneElement::Kind::light, chosen.light}, start.frames);
+    light_ = start.light, scene_light_ = &scene_light, light_index_ = chosen.light, emission_ = *emission;
+    LightPath& path = branches_.push({{emission->ray, flux, start.frames}, {}});
+    path.random = random, path.strands = start.strands, path.inside = start.inside,
+    path.merging = merging_after(pass_.ways, 0), path.hidden = scene_light.is_delta;
+    branches_.follow(*this);
+  }
+
+  bool postpones(const LightPath&, const HitPartition&) { return false; }
+  StrandTable& strands() { return out_.strands; }
+  void escaped(const LightPath&, FrameSet) {}
+  void lost(const LightPath&, FrameSet frames, const SceneElement& giver) { out_.rejections.add(giver, frames); }
+
+  void arrived(const LightPath& path, const Vertex& vertex) {
+    const float cosine = std::abs(dot(vertex.wo, vertex.point.ng)), distance2 = vertex.hit.t * vertex.hit.t;
+    if (!(cosine > 0) || path.bounces >= pass_.settings.max_depth) return;
+    if (path.bounces == 0 && vertex.hit.t < emission_.must_reach) return;
+    if (vertex.point.turns) return end_on_curve(path, vertex);
+    const SubpathWeights weights = path.bounces > 0 ? path.weights.arrived(distance2, cosine, path.walk.is_inside())
+                                                    : weights_at_first_vertex(pass_, *scene_light_, *light_, emission_,
+                                                                              vertex.point, distance2, cosine);
+    FrameSet connecting = mixed_frames(vertex, can_connect);
+    FrameArray<SubpathScattering> scattered;
+    for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
+      if (can_connect(bsdf)) connecting |= frames;
+      if (path.bounces + 1 < pass_.settings.max_depth)
+        if (const auto scattering = scatter(path, vertex, frames, bsdf)) scattered.add(*scattering);
+    });
+    if (!connecting.empty()) store(path, weights, vertex, connecting);
+    for_each_joint(scattered, pass_.settings.share_paths,
+                   [&](const SubpathScattering& first, std::span<const FrameFactor> factors) {
+                     extend(path, weights, vertex, first, factors);
+                   });
+  }
+
+  std::optional<SubpathScattering> scatter(const LightPath& path, const Vertex& vertex, FrameSet frames,
+                                           const Bsdf& bsdf) {
+    auto scattering = dspm::scatter(path, vertex, frames, bsdf, Transport::flux);
+    if (!scattering) return std::nullopt;
+    if (!is_finite(scattering->sample.wi)) {
+      out_.rejections.add(vertex.material_element(), frames);
+      return std::nullopt;
+    }
+    scattering->factor *= shading_correction(vertex.point, vertex.wo, scattering->sample.wi);
+    return scattering;
+  }
+
+  void extend(const LightPath& path, const SubpathWeights& weights, const Vertex& vertex,
+              const SubpathScattering& scattering, std::span<const FrameFactor> factors) {
+    LightPath& branch = branches_.push(path);
+    extend_ray(branch, vertex, scattering.sample);
+    const BsdfSample& sample = scattering.sample;
+    const float cosine = std::abs(dot(sample.wi, vertex.point.ng));
+    branch.weights = sample.specular ? weights.mirrored(cosine)
+                                     : weights.light_scattered(pass_.ways, sample.pdf_w, scattering.reverse_pdf_w,
+                                                               cosine, path.merging);
+    branch.hidden = path.hidden && sample.specular;
+    branch.merging = sample.specular ? pass_.ways.merging : merging_after(pass_.ways, sample.pdf_w);
+    const float u = path.random.number(path.bounces, kRoulette);
+    const auto roulette = [&](StrandList, FrameSet frames, const Rgb& before, const Rgb& after) {
+      if (!is_light(after)) {
+        out_.rejections.add(vertex.material_element(), frames);
+        return Rgb();
+      }
+      const float p = std::min(1.f, max_component(after) / max_component(before));
+      return p >= 1 ? after : u < p ? after * (1 / p) : Rgb();
+    };
+    if (!multiply(branch, factors, out_.strands, ByRatio::yes, roulette)) branches_.drop();
+  }
+
+  void store(const LightPath& path, const SubpathWeights& weights, const Vertex& vertex, FrameSet frames) {
+    const SurfacePoint& point = vertex.point;
+    // If the normals disagree about the side, every scattering function is zero.
+    const float geometric = dot(vertex.wo, point.ng), shading = dot(vertex.wo, point.ns);
+    if (!(geometric * shading > 0)) return;
+    Rgb flux = path.throughput * (point.ns == point.ng ? 1 : shading / geometric);
+    const StrandList strands = out_.strands.folded(path.strands, frames, flux);
+    const ShapeFace face(vertex.hit.shape, point.ng, vertex.wo);
+    const LightVertex stored{point.p, vertex.wo,    face,    flux,         light_index_, frames,
+                             strands, path.bounces, weights, path.merging, vertex.hit,   point.outside_eta};
+    if (pass_.ways.sighting > 0) connect_to_camera(stored, vertex, path);
+    if (!pass_.settings.connect && stored.merging == 0) return;
+    out_.vertices.push_back(stored);
+    out_.stored.add(frames.count());
+    out_.paths.weighted += strands != 0;
+  }
+
+  /// Ends a path on a curve with hidden light, which nothing else brings there; all other light is found by camera
+  /// paths that go on.
+  void end_on_curve(const LightPath& path, const Vertex& vertex) {
+    if (!path.hidden || path.bounces == 0 || pass_.ways.merging == 0) return;
+    FrameSet frames = mixed_frames(vertex, can_connect);
+    for_each_surface(vertex, [&](FrameSet in_frames, const Bsdf& bsdf) {
+      if (can_connect(bsdf)) frames |= in_frames;
+    });
+    if (frames.empty()) return;
+    Rgb flux = path.throughput;
+    const StrandList strands = out_.strands.folded(path.strands, frames, flux);
+    const ShapeFace face(vertex.hit.shape, vertex.point.ng, vertex.wo);
+    out_.on_curves.push_back({{vertex.point.p, face, vertex.wo, flux, frames, strands, light_index_},
+                              StripPlace(vertex.shape, vertex.hit, vertex.wo),
+                              path.bounces});
+    out_.stored.add(frames.count());
+  }
+
+  void connect_to_camera(const LightVertex& light, const Vertex& vertex, const LightPath& path) {
+    const Vec2 lens = path.random.pair(light.bounces + 1, kLightPoint);
+    scene_.camera.for_each(light.frames, [&](FrameSet seeing, const Camera& camera) {
+      const auto sight = camera.sight(light.p, lens);
+      if (sight && is_seen(sight->film, pass_.render))
+        send(light, vertex, *sight, vertex.inside_beyond(path.inside, sight->w), seeing);
+    });
+  }
+
+  /// Sends light to the camera, as a radiance that is flux f times the pixels that a unit of area covers.
+  void send(const LightVertex& light, const Vertex& vertex, const Sighting& sight, const Inside& inside,
+            FrameSet seeing) {
+    const float pdf_a = sight.pixels_per_area * std::abs(dot(sight.w, vertex.point.ng));
+    FrameArray<FrameFactor> parts;
+    FrameSet sent;
+    for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
+      const FrameSet common = frames & seeing;
+      if (common.empty()) return;
+      const LobeSet lobes = bsdf.all_lobes();
+      const Rgb f = bsdf.evaluate(sight.w, light.wi, Transport::radiance, lobes);
+      if (is_black(f)) return;
+      const float reverse_pdf_w = bsdf.pdf_w(sight.w, light.wi, Transport::radiance, lobes);
+      const float weight =
+          weight_of_sighting(pass_.ways, {light.weights, reverse_pdf_w, pdf_a / pass_.ways.sighting, light.merging});
+      const Rgb radiance = light.flux * f * (pdf_a * weight / pass_.ways.sighting);
+      if (!is_light(radiance)) return out_.rejections.add(vertex.material_element(), common);
+      parts.add({common, radiance});
+      sent |= common;
+    });
+    if (sent.empty()) return;
+    ++out_.paths.shadow_rays;
+    for_each_open(scene_, vertex.point.spawn(sight.w, sight.distance), inside, sent,
+                  [&](FrameSet open, const Rgb& transmittance) {
+                    for (const FrameFactor& part : parts)
+                      for_each_strand(
+                          out_.strands.of(light.strands), part.frames & open, [&](FrameSet frames, const Rgb& weight) {
+                            if (!frames.empty())
+                              out_.splats.push_back({sight.film, frames, part.factor * weight * transmittance,
+                                                     light_index_, scene_.is_catcher(vertex.hit.shape)});
+                          });
+                  });
+  }
+
+  const VcmPass& pass_;
+  const Scene& scene_;
+  const PhotonStarts& starts_;
+  LightTrace& out_;
+  BranchingPath<LightPath> branches_;
+  // Of the path that is being followed.
+  const Light* light_ = nullptr;
+  const SceneLight* scene_light_ = nullptr;
+  int light_index_ = 0;
+  Emission emission_;
+};
+
+void clear(LightTrace& trace, const StrandTable& of_lights) {
+  trace.vertices.clear();
+  trace.ends.clear();
+  trace.on_curves.clear();
+  trace.splats.clear();
+  trace.strands = of_lights;
+  trace.paths = {}, trace.stored = {}, trace.rejections = {};
+}
+
+}  // namespace
+
+void LightSubpaths::trace(const VcmPass& pass) {
+  const PhotonStarts starts(pass.scene, pass.settings.share_paths);
+  traces_.resize(static_cast<std::size_t>(chunk_count(pass.settings.photons, kPathsPerChunk)));
+  parallel_chunks(pass.settings.photons, kPathsPerChunk, [&](std::int64_t begin, std::int64_t end) {
+    LightTrace& trace = traces_[static_cast<std::size_t>(begin / kPathsPerChunk)];
+    clear(trace, starts.strands());
+    LightPathTracer tracer(pass, starts, trace);
+    for (std::int64_t i = begin; i < end; ++i) tracer.trace(static_cast<std::uint64_t>(i));
+  });
+}
+
+std::span<const LightVertex> LightSubpaths::of(std::uint64_t index, const StrandTable*& strands) const {
+  const LightTrace& trace = traces_[static_cast<std::size_t>(index / kPathsPerChunk)];
+  const auto path = static_cast<std::size_t>(index % kPathsPerChunk);
+  const std::size_t begin = path == 0 ? 0 : trace.ends[path - 1];
+  strands = &trace.strands;
+  return std::span(trace.vertices).subspan(begin, trace.ends[path] - begin);
+}
+
+void LightSubpaths::account(Statistics& statistics) const {
+  for (const LightTrace& trace : traces_) {
+    statistics.photon += trace.paths;
+    statistics.photons_stored += trace.stored;
+    statistics.rejections += trace.rejections;
+  }
+}
+
+std::size_t LightSubpaths::bytes() const {
+  std::size_t sum = 0;
+  for (const LightTrace& trace : traces_)
+    sum += trace.vertices.capacity() * sizeof(LightVertex) + trace.ends.capacity() * sizeof(std::size_t) +
+           trace.on_curves.capacity() * sizeof(CurvePhoton) + trace.splats.capacity() * sizeof(Splat) +
+           trace.strands.bytes();
+  return sum;
+}
+
+}  // namespace dspm

@@ -1,0 +1,63 @@
+// Light subpaths: traced once for all frames, split where frames part. Their vertices are stored for connections and
+// merging, and connected to the camera.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/integrators/methods/vcm/splats.h"
+#include "dspm/integrators/methods/vcm/subpath_weights.h"
+#include "dspm/integrators/methods/vcm/vcm_pass.h"
+#include "dspm/integrators/photons/photon.h"
+#include "dspm/integrators/statistics.h"
+#include "dspm/integrators/transport/shape_face.h"
+#include "dspm/integrators/transport/strand.h"
+
+namespace dspm {
+
+/// A vertex on a surface that scatters by lobes other than specular ones, too.
+struct LightVertex {
+  Vec3 p, wi;      // towards where the flux came from
+  ShapeFace face;  // the one that it has reached
+  Rgb flux;        // in W; includes |cos(wi, ns) / cos(wi, ng)|, as Photon::flux does
+  int light;       // the light that it comes from: an index of the scene
+  FrameSet frames;
+  StrandList strands;  // in its trace's table
+  int bounces;         // scatterings before
+  SubpathWeights weights;
+  float merging;  // what merges count here; 0: there are none
+  RayHit hit;
+  float outside_eta;  // see SurfacePoint
+};
+
+/// The results of a range of light subpaths.
+struct LightTrace {
+  std::vector<LightVertex> vertices;   // by path index, then branch
+  std::vector<std::size_t> ends;       // of each path's vertices
+  std::vector<CurvePhoton> on_curves;  // as in PhotonTrace
+  std::vector<Splat> splats;
+  StrandTable strands;
+  PathCounts paths;
+  SharedCount stored;
+  Rejections rejections;
+};
+
+class LightSubpaths {
+ public:
+  /// Traces all light subpaths of an iteration in parallel.
+  void trace(const VcmPass& pass);
+  const std::vector<LightTrace>& traces() const { return traces_; }
+  /// Returns the vertices of path `index`; `strands` becomes the table of their strands.
+  std::span<const LightVertex> of(std::uint64_t index, const StrandTable*& strands) const;
+  void account(Statistics& statistics) const;
+  std::size_t bytes() const;
+
+ private:
+  std::vector<LightTrace> traces_;
+};
+
+}  // namespace dspm

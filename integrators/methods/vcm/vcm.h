@@ -1,0 +1,12 @@
+// Vertex connection and merging.
+#pragma once
+
+#include "dspm/base/params/params.h"
+#include "dspm/integrators/integrator.h"
+#include "dspm/world/scene/scene.h"
+
+namespace dspm {
+
+std::unique_ptr<Integrator> make_vcm(ParamReader& params, const Scene& scene, const RenderSettings& render);
+
+}  // namespace dspm

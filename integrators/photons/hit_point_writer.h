@@ -1,0 +1,103 @@
+// Writes what camera paths leave in a tile: light that they see, and hit points. Values that are negative or not finite
+// are rejected and blamed on whoever gave them.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/integrators/photons/hit_point.h"
+#include "dspm/integrators/transport/camera_path.h"
+#include "dspm/integrators/transport/joint_path.h"
+#include "dspm/integrators/transport/light_value.h"
+#include "dspm/world/scene/scene.h"
+
+namespace dspm {
+
+class HitPointWriter {
+ public:
+  HitPointWriter(const Scene& scene, const HitPointSettings& settings, HitPointTile& tile)
+      : scene_(scene), settings_(settings), tile_(tile) {}
+
+  PathCounts& paths() { return tile_.paths; }
+
+  /// Adds light that the path sees. `giver` returns its source: the light if the radiance is finite, else the one to
+  /// blame.
+  template <class WhoGave>
+  void see(const CameraPath& path, FrameSet frames, const Rgb& radiance, WhoGave&& giver) {
+    for_each_strand(tile_.strands.of(path.strands), frames, [&](FrameSet alike, const Rgb& weight) {
+      const Rgb seen = path.throughput * weight * radiance;
+      if (!is_light(seen)) return reject(path, alike, giver());
+      tile_.seen.push_back({alike, seen, path.pixel, light_of(giver()), path.caught});
+    });
+  }
+
+  void reject(const CameraPath& path, FrameSet frames, const SceneElement& giver) {
+    tile_.rejections.add(giver, frames, path.pixel);
+  }
+
+  Rgb if_finite(const Rgb& carried, const CameraPath& path, const Vertex& vertex, FrameSet frames) {
+    if (is_light(carried)) return carried;
+    reject(path, frames, vertex.material_element());
+    return {};
+  }
+
+  /// Multiplies what the path, here at `vertex`, carries; keep(frames, product) returns what is left of it. Returns
+  /// whether any frame goes on.
+  template <class Keep>
+  bool carry(CameraPath& path, const Vertex& vertex, std::span<const FrameFactor> factors, ByRatio by_ratio,
+             Keep&& keep) {
+    return multiply(path, factors, tile_.strands, by_ratio,
+                    [&](StrandList, FrameSet frames, const Rgb&, const Rgb& product) {
+                      return keep(if_finite(product, path, vertex, frames));
+                    });
+  }
+  bool carry(CameraPath& path, const Vertex& vertex, std::span<const FrameFactor> factors) {
+    return carry(path, vertex, factors, ByRatio::yes, [](const Rgb& product) { return product; });
+  }
+
+  /// Adds a hit point. `bsdf` is null if f is constant and among the factors.
+  void add_hit_point(std::vector<HitPoint>& hit_points, const CameraPath& path, const Vertex& vertex,
+                     std::span<const FrameFactor> factors, const Bsdf* bsdf, LobeSet lobes) {
+    CameraPath ended = path;
+    if (!carry(ended, vertex, factors)) return;
+    const SurfacePoint& point = vertex.point;
+    HitPoint& hit = hit_points.emplace_back();
+    hit.p = point.p;
+    hit.ng = dot(vertex.wo, point.ng) < 0 ? -point.ng : point.ng;
+    hit.face = ShapeFace(vertex.hit.shape, point.ng, vertex.wo);
+    hit.throughput = ended.throughput, hit.strands = ended.strands;
+    hit.frames = ended.frames, hit.pixel = path.pixel, hit.indirect = path.indirect, hit.caught = path.caught;
+    hit.radius = radius(path);
+    if (&hit_points == &tile_.hit_points)
+      tile_.radii_in_pixels += static_cast<double>(hit.radius / path.camera->pixel_spacing(path.length));
+    tile_.paths.weighted += ended.strands != 0;
+    if (bsdf == nullptr) return;
+    hit.scattering = static_cast<int>(tile_.scatterings.size());
+    tile_.scatterings.push_back({BsdfSlot::copy_of(*bsdf), vertex.wo, point.p_error, lobes,
+                                 bsdf->transmits(bsdf->all_lobes()), vertex.material_element().index, path.inside,
+                                 point.ns, unbent_normal(point)});
+    if (!point.turns) return;
+    tile_.scatterings.back().strip = static_cast<int>(tile_.strips.size());
+    tile_.strips.push_back({StripPlace(vertex.shape, vertex.hit, vertex.wo), point.ns});
+  }
+
+ private:
+  // A few pixel spacings, bounded by a fraction of the scene for points near the horizon.
+  static constexpr float kRadiusInPixels = 4, kLargestShareOfScene = 0.05f;
+
+  float radius(const CameraPath& path) const {
+    if (settings_.radius > 0) return settings_.radius;
+    return std::clamp(kRadiusInPixels * path.camera->pixel_spacing(path.length), 1e-6f * scene_.radius,
+                      kLargestShareOfScene * scene_.radius);
+  }
+
+  const Scene& scene_;
+  const HitPointSettings& settings_;
+  HitPointTile& tile_;
+};
+
+}  // namespace dspm

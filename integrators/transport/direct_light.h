@@ -1,0 +1,209 @@
+// Direct light at a surface from one shadow ray, for all frames of a path at once.
+#pragma once
+
+#include <cmath>
+
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/frame_array.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/base/math/ray.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/integrators/statistics.h"
+#include "dspm/integrators/transport/body.h"
+#include "dspm/integrators/transport/light_value.h"
+#include "dspm/integrators/transport/path_step.h"
+#include "dspm/world/scene/scene.h"
+
+namespace dspm {
+
+/// A shadow ray that stops short of the light's surface.
+inline Ray shadow_ray(const SurfacePoint& point, const Illumination& light) {
+  constexpr float kShort = 1 - 1e-4f;
+  Ray ray = point.spawn(light.wi);
+  if (!std::isfinite(light.distance)) return ray;
+  // Re-aimed from the offset origin: a grazing ray would otherwise miss the light's point.
+  const Vec3 to_light = point.p + light.wi * light.distance - ray.origin;
+  const float distance = length(to_light);
+  if (distance > 0) ray.direction = to_light / distance, ray.t_max = distance * kShort;
+  return ray;
+}
+
+// A few lights are all sampled. If there are more, half of the samples are chosen by power, of which a sky or a distant
+// sun would take all, and half among all lights alike.
+inline constexpr std::size_t kFewLights = 8;
+inline constexpr int kSamplesOfMany = 8;
+
+/// The mean number of samples that sample_direct_light() takes of a light.
+inline float light_samples(const Scene& scene, const SceneLight& light) {
+  if (scene.lights.size() <= kFewLights) return light.probability > 0 ? 1.f : 0.f;
+  return kSamplesOfMany / 2 * (light.probability + 1 / static_cast<float>(scene.lights.size()));
+}
+
+/// Returns whether a shadow ray from each vertex tells all about the light there: nothing but whether it is seen is
+/// open.
+inline bool is_told_by_a_ray(const Scene& scene, const SceneLight& light) {
+  return light.is_delta && light.probability > 0 && scene.lights.size() <= kFewLights;
+}
+
+/// Calls fn(const SceneLight&) for each sample to be taken. One number u in [0, 1) spaces them all: systematic
+/// sampling.
+template <class Fn>
+void for_each_light_sample(const Scene& scene, float u, Fn&& fn) {
+  const bool few = scene.lights.size() <= kFewLights;
+  const float per_light = kSamplesOfMany / 2 / static_cast<float>(scene.lights.size());
+  float by_power = -u, alike = -u;
+  for (const SceneLight& light : scene.lights) {
+    if (few && light.probability > 0) fn(light);
+    if (few) continue;
+    for (by_power += kSamplesOfMany / 2 * light.probability; by_power > 0; by_power -= 1) fn(light);
+    for (alike += per_light; alike > 0; alike -= 1) fn(light);
+  }
+}
+
+/// The start of light, as in Emission.
+struct LightStart {
+  Ray ray;
+  Vec3 normal;
+  int primitive;
+};
+
+/// Returns the start of a sample of a light at p. Light from infinitely far away starts at p itself: its line matters,
+/// not its start.
+inline LightStart start_of(const Illumination& lit, const Vec3& p) {
+  return {{std::isfinite(lit.distance) ? p + lit.wi * lit.distance : p, -lit.wi}, lit.normal, lit.primitive};
+}
+
+/// Returns the density by solid angle with which light.illuminate(p) samples what starts there; 0 for a delta light.
+inline float pdf_w_of(const Light& light, const LightStart& start, const Vec3& p) {
+  if (light.is_infinite()) return light.escaped_pdf_w({p, -start.ray.direction});
+  SurfacePoint point{};
+  point.p = start.ray.origin, point.ng = point.ns = start.normal;
+  return light.pdf_w(p, point, start.primitive);
+}
+
+/// A sample of a light, as seen from a vertex.
+struct LightSample {
+  const SceneLight& scene_light;
+  const Light& light;
+  const Illumination& lit;
+  float pdf_w;  // by solid angle; includes the mean number of samples of the light; 0 for a delta light
+};
+
+/// One of the light samples at a vertex, chosen as they arrive, for frames that choose from the same ones.
+struct ChosenSample {
+  FrameSet frames;
+  float u;        // uniform in [0, 1), whatever has been chosen
+  float sum = 0;  // of the weights so far
+  float weight = 0;
+  const SceneLight* light = nullptr;
+  const Light* state = nullptr;
+  Illumination lit = {};
+  Rgb radiance = {};
+
+  /// Weights are square roots of the radiance: light that is faint, but perhaps the only one in the open, has its
+  /// chance.
+  void offer(const SceneLight& scene_light, const Light& of, const Illumination& from, const Rgb& scattered) {
+    const float offered = std::sqrt(max_component(scattered));
+    sum += offered;
+    const float chance = offered / sum;
+    if (u < chance) {
+      u /= chance;
+      weight = offered, light = &scene_light, state = &of, lit = from, radiance = scattered;
+    } else {
+      u = (u - chance) / (1 - chance);
+    }
+  }
+};
+
+/// Offers a sample that exists in `frames` to the choices of these frames. A choice that has other frames as well is
+/// split first.
+template <class Offer>
+void offer_to(FrameSet frames, FrameArray<ChosenSample>& choosing, Offer&& offer) {
+  for (std::size_t i = 0, count = choosing.size(); i < count; ++i) {
+    const FrameSet others = choosing[i].frames - frames;
+    if (others == choosing[i].frames) continue;
+    if (!others.empty()) {
+      choosing.add(choosing[i]).frames = others;
+      choosing[i].frames &= frames;
+    }
+    offer(choosing[i]);
+  }
+}
+
+/// Fetches the memory that sample_direct_light() will wait for at the next vertex; call it as the path sets out.
+/// Pictures of skies are too large for caches, and each sample looks elsewhere.
+inline void prefetch_direct_light(const Scene& scene, const PathState& path) {
+  if (scene.infinite_lights.empty()) return;
+  const Vec2 u = path.random.pair(path.bounces + 1, kLightPoint);
+  for (const int index : scene.infinite_lights)
+    scene.lights[static_cast<std::size_t>(index)].states.for_each(
+        path.frames, [&](FrameSet, const Light& light) { light.prefetch(u); });
+}
+
+/// The lights that is_told_by_a_ray() is true for: one shadow ray each, or a chance to be the one that is chosen.
+enum class DeltaLights { each, chosen };
+
+/// Samples lights with the path's random numbers for its next bounce, traces a shadow ray to one of the samples and
+/// calls fn(FrameSet, const Rgb&, giver) with the radiance that the vertex scatters back along the path, for those of
+/// `frames` in which nothing is in between. `scattered(const LightSample&)` returns f, weighted if other ways find the
+/// same light. Radiance that is negative or not finite is passed on; giver() then returns its source.
+template <class ScatteringFunction, class Fn>
+void sample_direct_light(const Scene& scene, const PathState& path, const Vertex& vertex, FrameSet frames,
+                         PathCounts& counts, ScatteringFunction&& scattered, Fn&& fn,
+                         DeltaLights delta_lights = DeltaLights::chosen) {
+  const int bounce = path.bounces + 1;
+  const Vec2 u = path.random.pair(bounce, kLightPoint);
+  const SurfacePoint& point = vertex.point;
+  FrameArray<ChosenSample> choosing;
+  choosing.add({frames, path.random.pair(bounce, kLightDirection).x});
+  const auto for_each_lit = [&](const Illumination& lit, FrameSet of, auto&& see) {
+    ++counts.shadow_rays;
+    for_each_open(scene, shadow_ray(point, lit), vertex.inside_beyond(path.inside, lit.wi), of, see);
+  };
+  for_each_light_sample(scene, path.random.number(bounce, kLightChoice), [&](const SceneLight& scene_light) {
+    const float samples = light_samples(scene, scene_light);
+    scene_light.states.for_each(frames, [&](FrameSet common, const Light& light) {
+      const auto lit = light.illuminate(point.p, u);
+      if (!lit) return;
+      const float pdf_w = samples * lit->pdf_w;
+      const Rgb f = scattered(LightSample{scene_light, light, *lit, pdf_w}) * std::abs(dot(lit->wi, point.ns));
+      if (is_black(f)) return;
+      const Rgb radiance = f * lit->radiance / (pdf_w > 0 ? pdf_w : samples);
+      if (!is_light(radiance)) {
+        const SceneElement giver = is_light(f) ? light_element(scene, scene_light) : vertex.material_element();
+        fn(common, radiance, [&] { return giver; });
+      } else if (!(max_component(radiance) > 0)) {
+        return;
+      } else if (delta_lights == DeltaLights::each && is_told_by_a_ray(scene, scene_light)) {
+        for_each_lit(*lit, common, [&](FrameSet open, const Rgb& transmittance) {
+          fn(open, radiance * transmittance, [&] { return light_element(scene, scene_light); });
+        });
+      } else {
+        offer_to(common, choosing, [&](ChosenSample& chosen) { chosen.offer(scene_light, light, *lit, radiance); });
+      }
+    });
+  });
+  for (std::size_t i = 0; i < choosing.size(); ++i) {
+    const ChosenSample first = choosing[i];
+    if (first.frames.empty() || first.light == nullptr) continue;
+    // Frames that choose the same sample share its shadow ray.
+    FrameSet together;
+    const auto is_same = [&](const ChosenSample& other) {
+      return other.light == first.light && other.state == first.state;
+    };
+    for (const ChosenSample& chosen : choosing)
+      if (is_same(chosen)) together |= chosen.frames;
+    for_each_lit(first.lit, together, [&](FrameSet open, const Rgb& transmittance) {
+      for (const ChosenSample& chosen : choosing) {
+        const FrameSet lit = chosen.frames & open;
+        if (!is_same(chosen) || lit.empty()) continue;
+        fn(lit, chosen.radiance * (chosen.sum / chosen.weight) * transmittance,
+           [&] { return light_element(scene, *chosen.light); });
+      }
+    });
+    for (ChosenSample& chosen : choosing)
+      if (is_same(chosen)) chosen.frames = {};
+  }
+}
+
+}  // namespace dspm

@@ -1,0 +1,282 @@
+// One step of a path, for camera and photon paths of every integrator: its state, the vertex it reaches, how it is
+// extended, and how it ends.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/frame_array.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/base/math/ray.h"
+#include "dspm/base/math/rng.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/integrators/dimension.h"
+#include "dspm/integrators/transport/strand.h"
+#include "dspm/integrators/transport/walk.h"
+#include "dspm/materials/relief.h"
+#include "dspm/world/scene/scene.h"
+
+namespace dspm {
+
+/// A path is a value. When frames part, each group gets a copy, with disjoint frame sets.
+struct PathState {
+  Ray ray;                 // the next segment
+  Rgb throughput;          // radiance per radiance (camera), or flux in W (photon); includes 1/pdf of all samples
+  FrameSet frames;         // the frames in which exactly this path exists; never grows
+  int bounces = 0;         // scatterings so far
+  float eta_scale = 1;     // what throughput has of the camera's weight and of refractions, which it regains on leaving
+  StrandList strands = 0;  // factors to the throughput by frame, if they differ
+  PathRandom random = {};  // shared by all branches of the path
+  Walk walk = {};          // through the body that the path is in, if that scatters
+  Inside inside = {};      // the bodies that the next segment lies in, see nesting.h
+  float passed = 0;        // what it has passed of the next segment, through surfaces that are not there
+
+  /// The diameter, in the world, of what the path stands for at the end of its next segment: textures average over it.
+  float diameter(float /*segment*/) const { return 0; }
+};
+
+inline bool is_finite(const Ray& ray) { return is_finite(ray.origin) && is_finite(ray.direction); }
+inline bool is_finite(const SurfacePoint& point) {
+  return is_finite(point.p) && is_finite(point.ng) && is_finite(point.ns);
+}
+
+/// A path's intersection with a surface, in the frames that meet the same one.
+struct Vertex {
+  Vertex(const Scene& scene, const Ray& ray, const FrameHit& part, float width = 0)
+      : hit(part.hit),
+        point(scene.surface_point(part.hit, ray.direction)),
+        wo(-ray.direction),
+        frames(part.frames),
+        diameter(width),
+        shape(scene.shapes[static_cast<std::size_t>(part.hit.shape)]),
+        material(scene.materials[static_cast<std::size_t>(shape.material)]),
+        body(scene.body_of(shape.material)) {}
+
+  RayHit hit;
+  SurfacePoint point;
+  Vec3 wo;  // back along the path, unit length
+  FrameSet frames;
+  float diameter;  // of what the path stands for here
+  const PlacedShape& shape;
+  const FrameStates<Material>& material;
+  int body;  // the material of the body that the surface bounds in some frame, if paths need to know it
+
+  /// Returns whether w leads into the body.
+  bool leads_inside(const Vec3& w) const { return body != kNoBody && dot(w, point.ng) < 0; }
+  /// Returns the bodies that a segment in direction w lies in, if the one that arrived here lay in `arriving`.
+  Inside inside_beyond(const Inside& arriving, const Vec3& w) const {
+    Inside beyond = arriving;
+    if (leads_inside(w) == leads_inside(wo)) return beyond;
+    if (leads_inside(w))
+      beyond.enter(body);
+    else
+      beyond.leave(body);
+    return beyond;
+  }
+  /// Returns whether textures may average over what the path stands for. They may not if something else varies with
+  /// them: the material of a mix, or holes.
+  bool averages(const Material& state) const { return diameter > 0 && shape.cutout == nullptr && state.averages(); }
+  SurfacePoint covered_point() const {
+    SurfacePoint covered = point;
+    covered.cover(wo, diameter);
+    return covered;
+  }
+  /// Returns whether the material differs between the frames.
+  bool differs() const { return material.differs_in(frames); }
+
+  // The plugin to blame for values that are not finite.
+  SceneElement shape_element() const { return {SceneElement::Kind::shape, hit.shape}; }
+  SceneElement material_element() const { return {SceneElement::Kind::material, shape.material}; }
+  SceneElement emitter_element() const { return {SceneElement::Kind::light, shape.light}; }
+};
+
+/// Calls fn(FrameSet, const Material&, bool averages) for each material that the point is made of in some of the
+/// vertex's frames. Mixes that differ may agree about a point.
+template <class Fn>
+void for_each_material(const Vertex& vertex, Fn&& fn) {
+  struct Made {
+    FrameSet frames;
+    const Material* of;
+    bool averages;
+  };
+  FrameArray<Made> all;
+  vertex.material.for_each(vertex.frames, [&](FrameSet frames, const Material& state) {
+    const Material& material = state.at(vertex.point);
+    const bool averages = vertex.averages(state);
+    if (&material != &state)
+      for (Made& made : all)
+        if (made.of == &material && made.averages == averages) return static_cast<void>(made.frames |= frames);
+    all.add({frames, &material, averages});
+  });
+  for (const Made& made : all) fn(made.frames, *made.of, made.averages);
+}
+
+/// Calls fn(FrameSet, const Bsdf&) for each distinct scattering function among the vertex's frames: one, unless the
+/// material differs between them.
+template <class Fn>
+void for_each_surface(const Vertex& vertex, Fn&& fn) {
+  for_each_material(vertex, [&](FrameSet frames, const Material& material, bool averages) {
+    BsdfSlot slot;
+    fn(frames, averages ? material.bsdf(vertex.covered_point(), slot) : material.bsdf(vertex.point, slot));
+  });
+}
+
+/// Calls fn(const Vertex&) with the normals that the materials' reliefs give: once, unless they differ between the
+/// frames. `vertex` has the normals of the shape. Curves have no relief: their normals are those of the ray.
+template <class Fn>
+void for_each_relief(const Vertex& vertex, Fn&& fn) {
+  struct Bent {
+    FrameSet frames;
+    Vec3 ns;
+  };
+  FrameArray<Bent> all;
+  for_each_material(vertex, [&](FrameSet frames, const Material& material, bool) {
+    const Relief* relief = material.relief();
+    const Vec3 ns = relief == nullptr || vertex.point.turns
+                        ? vertex.point.ns
+                        : relief->bent(vertex.point, vertex.shape, vertex.hit.primitive, vertex.hit.uv).ns;
+    for (Bent& bent : all)
+      if (bent.ns == ns) return static_cast<void>(bent.frames |= frames);
+    all.add({frames, ns});
+  });
+  if (all.size() == 1 && all[0].ns == vertex.point.ns) return static_cast<void>(fn(vertex));
+  for (const Bent& bent : all) {
+    Vertex shown = vertex;
+    shown.frames = bent.frames, shown.point.ns = bent.ns, shown.point.smooth_ns = vertex.point.ns;
+    fn(static_cast<const Vertex&>(shown));
+  }
+}
+
+/// The shading normal without the material's relief.
+inline const Vec3& unbent_normal(const SurfacePoint& point) {
+  return length2(point.smooth_ns) > 0 ? point.smooth_ns : point.ns;
+}
+
+/// Returns the light's index, or -1 if the element is no light.
+inline int light_of(const SceneElement& giver) { return giver.kind == SceneElement::Kind::light ? giver.index : -1; }
+inline SceneElement light_element(const Scene& scene, const SceneLight& light) {
+  return {SceneElement::Kind::light, static_cast<int>(&light - scene.lights.data())};
+}
+
+/// Calls fn(FrameSet, const Rgb&, const Light&) with the surface's emission back along the path, once per group of
+/// frames that agree.
+template <class Fn>
+void for_each_emission(const Scene& scene, const Vertex& vertex, FrameSet frames, Fn&& fn) {
+  if (vertex.shape.light < 0) return;
+  const SceneLight& light = scene.lights[static_cast<std::size_t>(vertex.shape.light)];
+  light.states.for_each(frames, [&](FrameSet lit, const Light& state) {
+    const Rgb radiance = state.emitted(vertex.point, vertex.wo);
+    if (!is_black(radiance)) fn(lit, radiance, state);
+  });
+}
+
+/// Calls fn(FrameSet, const Rgb&, const SceneLight&, const Light&) with the light from infinity for a path that left
+/// the scene. After no bounces it is what the camera sees as the background.
+template <class Fn>
+void for_each_escape(const Scene& scene, FrameSet frames, const Ray& ray, int bounces, Fn&& fn) {
+  for (const int index : scene.infinite_lights) {
+    const SceneLight& scene_light = scene.lights[static_cast<std::size_t>(index)];
+    scene_light.states.for_each(frames, [&](FrameSet common, const Light& light) {
+      const Rgb radiance = bounces == 0 ? light.background(ray) : light.escaped(ray);
+      if (!is_black(radiance)) fn(common, radiance, scene_light, light);
+    });
+  }
+}
+
+/// Returns the factor to a photon's flux from wo to wi, in addition to f |cos(wi, ns)|, if shading and geometric
+/// normals differ. [Veach 1997, 5.3]
+inline float shading_correction(const SurfacePoint& point, const Vec3& wo, const Vec3& wi) {
+  if (point.ns == point.ng) return 1;
+  const float below = std::abs(dot(wo, point.ng) * dot(wi, point.ns));
+  return below == 0 ? 0 : std::abs(dot(wo, point.ns) * dot(wi, point.ng)) / below;
+}
+
+/// Smooth lobes extend the path; rough ones gather or store photons. If a surface has both, the path chooses.
+struct LobeChoice {
+  LobeSet lobes;
+  float chance;  // probability of this choice
+  bool rough;
+};
+
+// Rougher lobes are not specular: Ggx::kSmoothest exceeds this.
+inline constexpr float kLeastRoughness = 1e-4f;
+
+/// The alpha above which a glossy lobe beside rough ones gathers with them: from there on, they sample its directions
+/// about as densely as it does. On its own it would be chosen seldom, and count for much each time. Its density is at
+/// most 1 / (4 pi alpha^2), theirs 1 / pi; the chances are those head-on, as paths from both ends have to agree.
+inline float least_alpha_beside(LobeSet rough, const Bsdf& bsdf, const SurfacePoint& point) {
+  const float chance = bsdf.lobe_probability(point.ns, rough);
+  return 0.5f * std::sqrt(std::max(0.f, 1 - chance) / chance);
+}
+
+/// The lobes on which photons are gathered: those of at least `least_alpha`. Frosted glass is followed however rough it
+/// is: hardly a photon finds its way to where the camera looks at it, but rays through it find lights well. Curves,
+/// which have no area on which to count photons, are followed, too.
+inline LobeSet gathering_lobes(const Bsdf& bsdf, const SurfacePoint& point, float least_alpha) {
+  constexpr float kRoughest = 1;
+  if (point.turns) return 0;
+  const LobeSet rough = bsdf.lobes(least_alpha);
+  if (rough == 0) return 0;
+  if (bsdf.transmits(rough)) return bsdf.lobes(std::max(least_alpha, kRoughest));
+  if ((bsdf.lobes(kLeastRoughness) & ~rough) == 0) return rough;
+  const float beside = least_alpha_beside(rough, bsdf, point);
+  const LobeSet joined = beside < least_alpha ? bsdf.lobes(std::max(beside, kLeastRoughness)) : rough;
+  return bsdf.transmits(joined) ? rough : joined;
+}
+
+/// The lobes that extend the path although they are not specular.
+inline LobeSet glossy_lobes(const Bsdf& bsdf, const SurfacePoint& point, float least_alpha) {
+  return static_cast<LobeSet>(bsdf.lobes(kLeastRoughness) & ~gathering_lobes(bsdf, point, least_alpha));
+}
+
+inline LobeChoice choose_lobes(const Bsdf& bsdf, const PathState& path, const Vertex& vertex, float least_alpha) {
+  const LobeSet all = bsdf.all_lobes(), rough = gathering_lobes(bsdf, vertex.point, least_alpha),
+                smooth = static_cast<LobeSet>(all & ~rough);
+  if (rough == 0 || smooth == 0) return {all, 1, smooth == 0};
+  const float rough_chance = bsdf.lobe_probability(vertex.wo, rough);
+  if (path.random.number(path.bounces, kSplit) < rough_chance) return {rough, rough_chance, true};
+  return {smooth, 1 - rough_chance, false};
+}
+
+inline std::optional<BsdfSample> sample_bsdf(const Bsdf& bsdf, const PathState& path, const Vec3& wo,
+                                             Transport transport, LobeSet lobes) {
+  const Vec2 u = path.random.pair(path.bounces, kScatter);
+  return bsdf.sample(wo, {u.x, u.y, path.random.number(path.bounces, kLobe)}, transport, lobes);
+}
+
+/// Starts the path's next segment along the sampled direction; the caller updates the throughput.
+inline void extend_ray(PathState& path, const SurfacePoint& point, const BsdfSample& sample) {
+  path.eta_scale *= sample.eta_scale;
+  path.ray = point.spawn(sample.wi), path.passed = 0;
+  ++path.bounces;
+  if (sample.ahead) path.walk = Walk(*sample.ahead);
+  path.walk.start(path.ray, path.random, path.bounces);
+}
+inline void extend_ray(PathState& path, const Vertex& vertex, const BsdfSample& sample) {
+  if (vertex.body != kNoBody) path.inside = vertex.inside_beyond(path.inside, sample.wi);
+  extend_ray(path, vertex.point, sample);
+}
+inline void extend(PathState& path, const Vertex& vertex, const BsdfSample& sample) {
+  path.throughput *= sample.weight;
+  extend_ray(path, vertex, sample);
+}
+
+inline constexpr int kFirstRouletteBounce = 4;  // of camera paths
+
+/// A camera path's survival probability after `bounce`: its throughput, as it would be outside glass.
+inline float roulette_chance(const Rgb& throughput, float eta_scale, int bounce) {
+  return bounce < kFirstRouletteBounce ? 1 : std::min(1.f, max_component(throughput) / eta_scale);
+}
+
+/// Plays Russian roulette: the path survives if u < p, divided by p. Frames share u, so they decide alike if p is
+/// equal.
+inline bool survives(PathState& path, float p, float u) {
+  if (p >= 1) return true;
+  if (!(u < p)) return false;
+  path.throughput *= 1 / p;
+  return true;
+}
+
+}  // namespace dspm

@@ -1,0 +1,87 @@
+#include "dspm/integrators/transport/walk.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/sampling.h"
+#include "dspm/base/math/vec.h"
+
+namespace dspm {
+namespace {
+
+// Dimensions of random numbers: apart from those of the vertex, and three for each collision.
+constexpr int kHero = 1 << 10, kFlights = kHero + 1, kTurn = 0, kFlight = 1, kSurvival = 2, kNumbers = 3;
+
+constexpr int kMostCollisions = 1 << 16;
+
+int dimension(int collision, int number) { return kFlights + collision * kNumbers + number; }
+
+/// Returns the share of light that a flight of that length leaves.
+float left_after(float sigma_t, float distance) { return std::exp(-sigma_t * distance); }
+
+/// Returns a direction whose cosine to w is distributed by Henyey and Greenstein's phase function.
+Vec3 turned(const Vec3& w, float g, Vec2 u) {
+  float cosine = 1 - 2 * u.x;
+  if (std::abs(g) > 1e-3f) {
+    const float s = (1 - g * g) / (1 - g + 2 * g * u.x);
+    cosine = std::clamp((1 + g * g - s * s) / (2 * g), -1.f, 1.f);
+  }
+  const float sine = std::sqrt(1 - cosine * cosine), phi = 2 * kPi * u.y;
+  return normalize(Basis::around(w).to_world({sine * std::cos(phi), sine * std::sin(phi), cosine}));
+}
+
+}  // namespace
+
+void Walk::start(Ray& ray, const PathRandom& random, int bounce) {
+  if (!is_inside()) return;
+  share_ = weight_ = Rgb(1), collisions_ = 0;
+  hero_ = std::min(2, static_cast<int>(3 * random.number(bounce, kHero)));
+  fly(ray, random, bounce);
+}
+
+void Walk::fly(Ray& ray, const PathRandom& random, int bounce) const {
+  const float u = random.number(bounce, dimension(collisions_, kFlight)), sigma_t = interior_.sigma_t[hero_];
+  ray.t_max = sigma_t > 0 ? -std::log(1 - u) / sigma_t : kInfinity;
+}
+
+Rgb Walk::weigh(const Rgb& density) {
+  const Rgb shares = share_ * density;
+  const float mean = (shares.r + shares.g + shares.b) / 3;
+  if (!(mean > 0)) return {};
+  share_ = shares / mean;
+  return density / mean;
+}
+
+Rgb Walk::reach(float distance) {
+  Rgb left;
+  for (int c = 0; c < 3; ++c) left[c] = left_after(interior_.sigma_t[c], distance);
+  return weigh(left);
+}
+
+bool Walk::is_thrown_back(Ray& ray, const SurfacePoint& point, const Vec3& inward, const PathRandom& random,
+                          int bounce) {
+  if (interior_.thrown_back == 0 || ++collisions_ > kMostCollisions) return false;
+  if (!(random.number(bounce, dimension(collisions_, kSurvival)) < interior_.thrown_back)) return false;
+  const Vec3 w = cosine_hemisphere(random.pair(bounce, dimension(collisions_, kTurn)));
+  ray = point.spawn(Basis::around(inward).to_world(w));
+  fly(ray, random, bounce);
+  return true;
+}
+
+Rgb Walk::scatter(Ray& ray, const PathRandom& random, int bounce) {
+  if (++collisions_ > kMostCollisions || !std::isfinite(ray.t_max)) return {};
+  Rgb density;
+  for (int c = 0; c < 3; ++c) density[c] = interior_.sigma_t[c] * left_after(interior_.sigma_t[c], ray.t_max);
+  Rgb factor = weigh(density) * interior_.albedo;
+  weight_ *= factor;
+  const float survival = std::min(1.f, max_component(weight_));
+  if (!(random.number(bounce, dimension(collisions_, kSurvival)) < survival)) return {};
+  factor *= 1 / survival, weight_ *= 1 / survival;
+  ray.origin = ray.at(ray.t_max);
+  ray.direction = turned(ray.direction, interior_.g, random.pair(bounce, dimension(collisions_, kTurn)));
+  fly(ray, random, bounce);
+  return factor;
+}
+
+}  // namespace dspm

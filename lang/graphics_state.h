@@ -1,0 +1,29 @@
+// The state while a scene's text is read; saved and restored by blocks.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "dspm/base/colour/colour_space.h"
+#include "dspm/base/params/params.h"
+#include "dspm/lang/description.h"
+#include "dspm/lang/motion.h"
+
+namespace dspm {
+
+/// The targets for which `Attribute` can set defaults.
+enum class AttributeTarget { shape, light, material, medium, texture };
+inline constexpr int kAttributeTargets = 5;
+
+struct GraphicsState {
+  Motion ctm;  // current transform: world from local, before WorldBegin camera from world
+  enum class Active { both, start, end } active = Active::both;  // the shutter times that transforms apply to
+  ColourSpace space = ColourSpace::srgb;
+  bool reverse_orientation = false;
+  MaterialRef material;
+  int area_light = -1;
+  int dynamic_block = -1;
+  std::array<std::shared_ptr<const ParamList>, kAttributeTargets> attributes = {};  // null: none; blocks share them
+};
+
+}  // namespace dspm

@@ -1,0 +1,123 @@
+// Sources of light. Every light emits photons and can be sampled directly. Plugins: point.cpp is the shortest to copy;
+// plugins.cpp is the table.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/ray.h"
+#include "dspm/base/math/transform.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/base/params/params.h"
+#include "dspm/base/params/registry.h"
+#include "dspm/shapes/placed_shape.h"
+
+namespace dspm {
+
+/// The densities with which emit() draws the start and the direction of a path. A delta counts as 1: all paths start at
+/// one point, or all go in one direction.
+struct EmissionPdf {
+  /// The density by area, including the choice of the primitive: by area of the light's surface in the world or, if the
+  /// light is infinitely far away, of the disk across the direction on which photons start.
+  float position = 0;
+  float direction = 0;  // by solid angle; if the light is infinitely far away, whatever the position
+  bool delta_position = false, delta_direction = false;
+};
+
+/// The numbers that Light::emit takes: position x and y, direction x and y, each in [0, 1).
+using EmissionNumbers = std::array<float, 4>;
+/// Stands for a number that may be any, because emit() does not use it, or that is not known.
+inline constexpr float kAnyNumber = -1;
+
+/// A photon as it leaves the light. The mean of `flux` over all random numbers is the light's power; `flux` times both
+/// densities is the radiance times |cos| to `normal`. Without a normal there is no cosine; for a delta, the radiant
+/// intensity or the irradiance across the direction takes the place of radiance.
+struct Emission {
+  Ray ray;
+  Rgb flux;
+  EmissionPdf pdf = {};
+  Vec3 normal = {};    // the geometric normal of the light's surface at the start; zero if it has no surface
+  int primitive = -1;  // of the light's shape; -1 if it has none
+  /// The photon carries nothing if it meets a surface before this length of its path: it starts before the window that
+  /// the light must pass.
+  float must_reach = 0;
+};
+
+/// Light that arrives at a point from one direction.
+struct Illumination {
+  Vec3 wi;           // towards the light
+  float distance;    // infinite for distant and infinite lights
+  Rgb radiance;      // for a delta light: the irradiance on a surface perpendicular to wi
+  float pdf_w;       // by solid angle; 0 for a delta light (one that no ray can hit)
+  Vec3 normal = {};  // of the light's surface at the sampled point, and its primitive: as in Emission
+  int primitive = -1;
+};
+
+class Light {
+ public:
+  virtual ~Light() = default;
+  /// The total flux in W, or a good estimate of it: lights are chosen in proportion to it.
+  virtual Rgb power() const = 0;
+  /// Starts a photon path; nullopt if these numbers yield no light. Numbers that are close should give starts that are
+  /// close: integrators learn which boxes of numbers are worth drawing from.
+  virtual std::optional<Emission> emit(Vec2 u_position, Vec2 u_direction) const = 0;
+  /// The densities with which emit() draws this start and direction, for paths that came to the light another way;
+  /// `normal` and `primitive` are those of Emission. A delta counts as matched. A density is 0 if it is unknown or if
+  /// emit() never draws this.
+  virtual EmissionPdf pdf_emit(const Ray& /*start*/, const Vec3& /*normal*/, int /*primitive*/) const { return {}; }
+  /// The numbers with which emit() draws this start and direction, up to rounding. A number is kAnyNumber if it does
+  /// not matter or is not known: a method that learns which numbers to draw then weights by the mean density over it.
+  virtual EmissionNumbers emission_numbers(const Ray& /*start*/, const Vec3& /*normal*/, int /*primitive*/) const {
+    return {kAnyNumber, kAnyNumber, kAnyNumber, kAnyNumber};
+  }
+  /// Samples a direction from which p may be lit; nullopt if these numbers yield no light.
+  virtual std::optional<Illumination> illuminate(const Vec3& p, Vec2 u) const = 0;
+  /// Announces that illuminate() will soon be called with this u, for lights that then wait for memory.
+  virtual void prefetch(Vec2 /*u*/) const {}
+
+  /// Returns the colour by which this light differs from `other`, this one over the other, if they differ in nothing
+  /// else at any place and in any direction: photons of both then start alike. Returns nullopt if they differ
+  /// otherwise, or if it is not known.
+  virtual std::optional<Rgb> ratio_to(const Light& other) const {
+    return this == &other ? std::optional(Rgb(1)) : std::nullopt;
+  }
+
+  /// Returns whether photons of this light may start as `other` samples them, with weights of at most kMostWeight times
+  /// those that this light itself would give.
+  virtual bool starts_like(const Light& other) const { return ratio_to(other).has_value(); }
+  /// If starts_like(other), the flux of this light for such a photon over the flux of `other`.
+  virtual Rgb ratio_along(const Light& other, const Ray& /*start*/) const { return ratio_to(other).value_or(Rgb()); }
+  static constexpr float kMostWeight = 2;
+
+  /// The radiance that leaves the light's own surface at `point` in direction w (area lights).
+  virtual Rgb emitted(const SurfacePoint&, const Vec3& /*w*/) const { return {}; }
+  /// The density by solid angle with which illuminate(from) samples that point of the light's primitive.
+  virtual float pdf_w(const Vec3& /*from*/, const SurfacePoint&, int /*primitive*/) const { return 0; }
+  /// Returns whether rays that leave the scene see the light; if so, it implements escaped() and escaped_pdf_w().
+  virtual bool is_infinite() const { return false; }
+  /// The radiance along a ray that leaves the scene (infinite lights). escaped_pdf_w() returns the density with which
+  /// illuminate() at the ray's origin draws its direction.
+  virtual Rgb escaped(const Ray& /*ray*/) const { return {}; }
+  /// What the camera sees along a ray that has met nothing: the picture's background, which need not be the light.
+  virtual Rgb background(const Ray& ray) const { return escaped(ray); }
+  virtual float escaped_pdf_w(const Ray& /*ray*/) const { return 0; }
+};
+
+/// The input of a light besides its parameters.
+struct LightContext {
+  Transform to_world;
+  Vec3 scene_center;  // the sphere around everything, over all frames of the file
+  float scene_radius = 1;
+  const PlacedShape* shape = nullptr;  // of an area light; outlives the light
+  bool hidden = false;                 // no ray can meet the shape, but its light is there
+};
+
+using MakeLight = std::unique_ptr<Light>(ParamReader&, const LightContext&);
+PluginTable<Plugin<MakeLight>>& light_plugins();       // LightSource
+PluginTable<Plugin<MakeLight>>& area_light_plugins();  // AreaLightSource
+
+}  // namespace dspm

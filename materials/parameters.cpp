@@ -1,0 +1,120 @@
+// Reads the parameters that several materials share.
+#include "dspm/materials/parameters.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/vec.h"
+
+namespace dspm {
+
+Roughness::Roughness(ParamReader& reader, const MaterialContext& context, const std::string& prefix, bool remap)
+    : remap_(remap) {
+  const auto read = [&](const std::string& name, float fallback, std::string_view sentence) {
+    const auto roughness = reader.number_or_texture(name, fallback, "", sentence);
+    if (roughness.value < 0)
+      reader.error(name, fmt::format("parameter \"{}\" of {} must not be negative", name, reader.subject()));
+    return roughness;
+  };
+  const auto both = read(prefix + "roughness", 0, "of the surface in both directions; 0 is smooth");
+  const auto one = [&](const std::string& name, std::string_view sentence) {
+    const auto own = read(name, std::max(both.value, 0.f), sentence);
+    return texture_of(reader.has(name) ? own : both, context.textures, reader.diagnostics());
+  };
+  u_ = one(prefix + "uroughness", "along the first tangent; the same as roughness if not given");
+  v_ = one(prefix + "vroughness", "across the first tangent; the same as roughness if not given");
+}
+
+bool Roughness::read_remap(ParamReader& reader) {
+  return reader.flag("remaproughness", true, "alpha is the square root of roughness, else roughness itself");
+}
+
+Vec2 Roughness::alpha(const SurfacePoint& point) const {
+  const TexturePoint place = texture_point(point);
+  const Vec2 roughness{u_->evaluate(place), v_->evaluate(place)};
+  return remap_ ? Vec2{roughness_to_alpha(roughness.x), roughness_to_alpha(roughness.y)} : roughness;
+}
+
+bool read_energy_compensation(ParamReader& reader, const MaterialContext& context) {
+  return reader.flag("energycompensation", !context.as_in_pbrt,
+                     "light that meets several facets leaves, too; false: it is lost, as in pbrt and .pbrt files");
+}
+
+float read_eta(ParamReader& reader, float fallback, const std::string& name) {
+  const Rgb eta = reader.rgb(name, Rgb(fallback), SpectrumRole::unbounded, "index of refraction inside over outside");
+  const float mean = (eta.r + eta.g + eta.b) / 3;
+  if (!(mean > 0)) {
+    reader.error(name, fmt::format("parameter \"{}\" of {} must be above 0", name, reader.subject()));
+    return fallback;
+  }
+  if (eta.r != eta.g || eta.g != eta.b)
+    reader.diagnostics().note(
+        reader.where(name),
+        fmt::format("dispersion is not supported: {} is {:.4g}, the mean of its colours", name, mean));
+  return mean;
+}
+
+MetalLook::MetalLook(ParamReader& reader, const MaterialContext& context, const std::string& prefix) {
+  const auto eta =
+      reader.rgb_or_texture(prefix + "eta", "metal-Cu-eta", SpectrumRole::unbounded, "index of refraction");
+  const auto k = reader.rgb_or_texture(prefix + "k", "metal-Cu-k", SpectrumRole::unbounded, "absorption coefficient");
+  const auto reflectance = reader.rgb_or_texture("reflectance", Rgb(1), SpectrumRole::albedo,
+                                                 "at normal incidence, instead of eta and k; unused if not given");
+  by_reflectance_ = reader.has("reflectance");
+  if (by_reflectance_ && (reader.has(prefix + "eta") || reader.has(prefix + "k")))
+    reader.error("reflectance", fmt::format("{} takes either \"reflectance\" or \"{}eta\" and \"{}k\"",
+                                            reader.subject(), prefix, prefix));
+  eta_or_reflectance_ = texture_of(by_reflectance_ ? reflectance : eta, context.textures, reader.diagnostics());
+  k_ = texture_of(k, context.textures, reader.diagnostics());
+}
+
+MetalIndex MetalLook::index(const SurfacePoint& point) const {
+  const TexturePoint place = texture_point(point);
+  const Rgb value = eta_or_reflectance_->evaluate(place);
+  if (!by_reflectance_) return {value, k_->evaluate(place)};
+  MetalIndex index{Rgb(1), Rgb(0)};
+  for (int c = 0; c < 3; ++c) {
+    // As in pbrt: never quite 1, because k would be infinite.
+    const float r = std::clamp(value[c], 0.f, 0.9999f);
+    index.k[c] = 2 * std::sqrt(r / (1 - r));
+  }
+  return index;
+}
+
+ValueOrTexture<float> read_opacity(ParamReader& reader) {
+  return reader.number_or_texture("alpha", 1, "", "the fraction of rays that the surface stops; 0: a hole");
+}
+
+EmissionLook read_emission_look(ParamReader& reader) {
+  const EmissionLook look{reader.rgb_or_texture("emission", Rgb(0), SpectrumRole::illuminant,
+                                                "colour of the light that both sides of the surface emit"),
+                          reader.number("emissionstrength", 1, "", "times emission: radiance")};
+  if (!(look.strength >= 0))
+    reader.error("emissionstrength", "parameter \"emissionstrength\" of " + reader.subject() + " must not be negative");
+  return look;
+}
+
+Rgb read_absorption(ParamReader& reader) {
+  constexpr float kDarkest = 1e-30f;
+  const Rgb colour = clamped_albedo(reader.rgb("attenuationcolor", Rgb(1), SpectrumRole::albedo,
+                                               "of white light after attenuationdistance in the body"));
+  const float distance = reader.number("attenuationdistance", 1, "world units", "after which it has attenuationcolor");
+  if (!(distance > 0)) {
+    reader.error("attenuationdistance",
+                 "parameter \"attenuationdistance\" of " + reader.subject() + " must be above 0");
+    return {};
+  }
+  Rgb absorption;
+  for (int c = 0; c < 3; ++c) absorption[c] = -std::log(std::max(colour[c], kDarkest)) / distance;
+  return absorption;
+}
+
+std::optional<int> read_priority(ParamReader& reader) {
+  const int priority = reader.integer("priority", 0, "", "of its body: where bodies overlap, the highest one is there");
+  return reader.has("priority") ? std::optional(priority) : std::nullopt;
+}
+
+}  // namespace dspm

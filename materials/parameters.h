@@ -1,0 +1,91 @@
+// Parameters that several materials share.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/base/params/params.h"
+#include "dspm/materials/material.h"
+#include "dspm/materials/microfacet.h"
+#include "dspm/textures/texture_set.h"
+
+namespace dspm {
+
+/// The place at which textures are looked up.
+inline TexturePoint texture_point(const SurfacePoint& point) {
+  return {point.p, point.uv, point.ng, point.dpdu, point.dpdv, point.dpdx, point.dpdy, point.vertices};
+}
+
+/// Clamps to what a surface can reflect, because a texture may exceed it.
+inline Rgb clamped_albedo(const Rgb& c) {
+  return {std::clamp(c.r, 0.f, 1.f), std::clamp(c.g, 0.f, 1.f), std::clamp(c.b, 0.f, 1.f)};
+}
+
+/// Reads "roughness", "uroughness", "vroughness" and "remaproughness" as GGX alpha along the tangent and across it.
+class Roughness {
+ public:
+  Roughness(ParamReader& reader, const MaterialContext& context) : Roughness(reader, context, "") {
+    remap_ = read_remap(reader);
+  }
+  /// Reads "interface.roughness" and so on if `prefix` is "interface."; without `remap` there is no "remaproughness".
+  Roughness(ParamReader& reader, const MaterialContext& context, const std::string& prefix, bool remap = true);
+  static bool read_remap(ParamReader& reader);
+  Vec2 alpha(const SurfacePoint& point) const;
+  /// These return whether the surface is smooth, or equally rough in both directions, at every point.
+  bool is_smooth() const { return u_->constant() == 0.f && v_->constant() == 0.f; }
+  bool is_even() const { return u_ == v_ || (u_->constant() && u_->constant() == v_->constant()); }
+
+ private:
+  TexturePtr<float> u_, v_;
+  bool remap_;
+};
+
+/// Reads "energycompensation": whether what rough facets lose is made up for (made_up.h). By default a .pbrt file does
+/// not make up for it.
+bool read_energy_compensation(ParamReader& reader, const MaterialContext& context);
+
+/// Reads an index of refraction. dspm does not render dispersion: a spectrum is averaged, with a note.
+float read_eta(ParamReader& reader, float fallback = 1.5f, const std::string& name = "eta");
+
+/// A metal's complex index of refraction, eta + ik.
+struct MetalIndex {
+  Rgb eta, k;
+};
+
+/// Reads "eta" and "k", both after `prefix`, or "reflectance" at normal incidence.
+class MetalLook {
+ public:
+  MetalLook(ParamReader& reader, const MaterialContext& context, const std::string& prefix = "");
+  MetalIndex index(const SurfacePoint& point) const;
+
+ private:
+  bool by_reflectance_;
+  TexturePtr<Rgb> eta_or_reflectance_, k_;
+};
+
+/// Returns whether a material of that type has "alpha", "emission" and "emissionstrength". These scatter nothing: world
+/// makes holes of the first and area lights of the others.
+inline bool has_holes_and_light(std::string_view material) { return material == "principled"; }
+
+/// 1 where the surface is, 0 where it has a hole.
+ValueOrTexture<float> read_opacity(ParamReader& reader);
+
+/// The radiance that leaves both sides of a surface.
+struct EmissionLook {
+  ValueOrTexture<Rgb> colour;
+  float strength = 1;
+};
+EmissionLook read_emission_look(ParamReader& reader);
+
+/// Reads "attenuationcolor" and "attenuationdistance", as in glTF's KHR_materials_volume, and returns
+/// Material::absorption(): white light has this colour after that distance through the body, in world units.
+Rgb read_absorption(ParamReader& reader);
+
+/// Reads "priority" of any material, for any plugin, as Material::priority(), if it is given. Call it before the
+/// material's own factory reads the rest.
+std::optional<int> read_priority(ParamReader& reader);
+
+}  // namespace dspm

@@ -1,0 +1,59 @@
+// Numbers in [0, 1] in two bytes each, more exact the smaller they are, and directions in four: a Bsdf has little room.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/vec.h"
+
+namespace dspm {
+
+class SmallNumber {
+ public:
+  explicit SmallNumber(float value)
+      : root_(static_cast<std::uint16_t>(std::lround(std::sqrt(std::clamp(value, 0.f, 1.f)) * kMost))) {}
+  operator float() const {
+    const float root = static_cast<float>(root_) / kMost;
+    return root * root;
+  }
+  friend bool operator==(SmallNumber a, SmallNumber b) { return a.root_ == b.root_; }
+
+ private:
+  static constexpr float kMost = 65535;
+  std::uint16_t root_;
+};
+
+struct SmallRgb {
+  SmallNumber r, g, b;
+  explicit SmallRgb(const Rgb& c) : r(c.r), g(c.g), b(c.b) {}
+  operator Rgb() const { return {r, g, b}; }
+  friend bool operator==(const SmallRgb& one, const SmallRgb& other) {
+    return one.r == other.r && one.g == other.g && one.b == other.b;
+  }
+};
+
+/// A unit vector, to 5e-5, on an octahedron whose lower half is folded out; those of the axes are exact.
+class SmallDirection {
+ public:
+  explicit SmallDirection(const Vec3& d) {
+    const float sum = std::abs(d.x) + std::abs(d.y) + std::abs(d.z);
+    const float x = d.x / sum, y = d.y / sum;
+    x_ = whole(d.z < 0 ? fold(x, y) : x), y_ = whole(d.z < 0 ? fold(y, x) : y);
+  }
+  operator Vec3() const {
+    const float x = static_cast<float>(x_) / kMost, y = static_cast<float>(y_) / kMost;
+    const float z = 1 - std::abs(x) - std::abs(y);
+    return normalize(z < 0 ? Vec3{fold(x, y), fold(y, x), z} : Vec3{x, y, z});
+  }
+  friend bool operator==(SmallDirection a, SmallDirection b) { return a.x_ == b.x_ && a.y_ == b.y_; }
+
+ private:
+  static constexpr float kMost = 32767;
+  static std::int16_t whole(float x) { return static_cast<std::int16_t>(std::lround(x * kMost)); }
+  static float fold(float a, float b) { return std::copysign(1 - std::abs(b), a); }
+  std::int16_t x_, y_;
+};
+
+}  // namespace dspm

@@ -1,0 +1,297 @@
+#include "dspm/session/job/job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "dspm/base/math/frames.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/base/params/flag.h"
+#include "dspm/base/params/only_text.h"
+#include "dspm/base/params/params.h"
+#include "dspm/base/system/readable.h"
+#include "dspm/integrators/beside/error_estimate.h"
+#include "dspm/integrators/beside/shadow_catcher.h"
+#include "dspm/integrators/beside/variance_output.h"
+#include "dspm/integrators/caught_light.h"
+#include "dspm/session/job/frame_choice.h"
+#include "dspm/session/job/integrator_choice.h"
+#include "dspm/session/job/output_choice.h"
+#include "dspm/session/job/sampler.h"
+#include "dspm/shapes/shadow_catcher.h"
+#include "dspm/world/scene/scene.h"
+
+namespace dspm {
+namespace {
+
+bool gives(const Integrator& integrator, const char* name) {
+  const std::vector<OutputInfo> outputs = integrator.outputs();
+  return std::any_of(outputs.begin(), outputs.end(), [&](const OutputInfo& output) { return output.name == name; });
+}
+
+bool asks_for_shadow_catchers(const SceneDescription& description) {
+  const auto asks = [](const ShapeUse& use) { return is_true(use.params, kShadowCatcherParam); };
+  return std::any_of(description.shapes.begin(), description.shapes.end(), asks) ||
+         std::any_of(description.objects.begin(), description.objects.end(), [&](const ObjectDefinition& object) {
+           return std::any_of(object.shapes.begin(), object.shapes.end(), asks);
+         });
+}
+
+/// Returns pbrt's paths per pixel for a scene written for it that names none.
+int usual_samples(const SceneDescription& description) {
+  if (description.dialect != Dialect::pbrt) return RenderSettings().default_iterations;
+  return description.sampler && description.sampler->type == "independent" ? 4 : 16;
+}
+
+/// Makes the object that a directive before WorldBegin asks for, or one of the usual type.
+template <class Make>
+auto make_one(const PluginTable<Plugin<Make>>& plugins, const char* usual, const std::optional<PluginUse>& use,
+              Diagnostics& diagnostics) {
+  static const PluginUse kNone;
+  const PluginUse& used = use ? *use : kNone;
+  const std::string& name = use ? use->type : usual;
+  const Plugin<Make>* plugin = plugins.find(name, used.type_where, diagnostics);
+  const bool replaced = plugin == nullptr;
+  if (replaced) plugin = &plugins.front();
+  const ParamList& params = replaced ? kNone.params : used.params;
+  ParamReader reader(params, fmt::format("{} \"{}\"", plugins.kind(), plugin->name), used.where, diagnostics);
+  return plugin->make(reader);
+}
+
+/// Checks a plugin's weights, which may be anything.
+void expect_density(const PixelFilter& filter, const SceneDescription& description, Diagnostics& diagnostics) {
+  constexpr int kSteps = 4096;
+  const Vec2 radius = filter.radius();
+  bool is_density = radius.x > 0 && radius.y > 0 && std::isfinite(radius.x) && std::isfinite(radius.y);
+  for (int i = 0; i <= kSteps && is_density; ++i) {
+    const float u = (static_cast<float>(i) + 0.5f) / (kSteps + 1), place = 2 * static_cast<float>(i) / kSteps - 1;
+    const Vec2 drawn = filter.sample({u, u});
+    const auto is_sound = [](float density) { return density >= 0 && std::isfinite(density); };
+    is_density = std::abs(drawn.x) <= radius.x && std::abs(drawn.y) <= radius.y &&
+                 is_sound(filter.density({place * radius.x, 0})) && is_sound(filter.density({0, place * radius.y}));
+  }
+  if (is_density) return;
+  const PluginUse& use = description.filter ? *description.filter : PluginUse();
+  const Plugin<MakePixelFilter>* plugin = pixel_filter_plugins().find(use.type);
+  const bool is_of_module = plugin != nullptr && !plugin->origin.empty();
+  diagnostics.error(
+      use.where, fmt::format("{} \"{}\"{} has weights that are negative or not finite", pixel_filter_plugins().kind(),
+                             use.type, is_of_module ? fmt::format(" of {}", plugin->origin) : ""));
+}
+
+void check_crop(const FilmSettings& film, const SceneDescription& description, Diagnostics& diagnostics) {
+  const PixelRect crop = crop_of(film);
+  if (crop.empty())
+    throw UsageError(fmt::format("the crop leaves nothing of the image of {} x {} pixels", film.width, film.height));
+  if (crop.width() > static_cast<int>(kMaxPixels) / crop.height())
+    diagnostics.error(description.film ? description.film->where : SourceLocation(),
+                      fmt::format("{} x {} pixels are more than the {} million that an image may have", crop.width(),
+                                  crop.height(), kMaxPixels / 1'000'000),
+                      "--cropwindow renders a part of it");
+}
+
+FilmSettings resized(const FilmSettings& film, const Resolution& wanted) {
+  if (wanted.share > 0) return scaled(film, wanted.share);
+  return scaled(film, wanted.width, wanted.height);
+}
+
+FilmSettings make_film(const SceneDescription& description, const Choices& choices, Diagnostics& diagnostics) {
+  const int errors = diagnostics.error_count();
+  FilmSettings film = *make_one(film_plugins(), "rgb", description.film, diagnostics);
+  if (choices.resolution) film = resized(film, *choices.resolution);
+  if (choices.quick) film = scaled(film, 1. / kQuickShare);
+  if (!choices.outfile.empty()) film.filename = choices.outfile;
+  if (choices.half) film.save_half = *choices.half;
+  if (choices.crop_window) {
+    film.crop_window.emplace();
+    std::copy(choices.crop_window->begin(), choices.crop_window->end(), film.crop_window->begin());
+  } else if (choices.pixel_bounds) {
+    film.crop_window.reset();
+    film.pixel_bounds = choices.pixel_bounds;
+  }
+  if (diagnostics.error_count() == errors) check_crop(film, description, diagnostics);
+  return film;
+}
+
+float number_of(const ParamList& list, std::string_view name, float fallback) {
+  const Param* param = list.find(name);
+  const auto* values = param != nullptr ? std::get_if<std::vector<float>>(&param->values) : nullptr;
+  return values != nullptr && values->size() == 1 ? values->front() : fallback;
+}
+
+/// Refuses a shutter in dspm's language, in which it would ask for what moves while it is open; pbrt's also exposes the
+/// film.
+void refuse_shutter(const std::optional<CameraUse>& camera, Diagnostics& diagnostics) {
+  if (!camera) return;
+  for (const Param& param : camera->params.params)
+    if (param.name == "shutteropen" || param.name == "shutterclose")
+      return diagnostics.unsupported(param.where, "motion blur (a shutter that stays open) is not supported yet",
+                                     "with --lenient, the shutter has no effect: each frame shows one moment");
+}
+
+/// Returns the seconds from shutteropen to shutterclose.
+float shutter_seconds(const SceneDescription& description, Diagnostics& diagnostics) {
+  if (description.dialect == Dialect::dsc) {
+    refuse_shutter(description.camera, diagnostics);
+    for (const VariationAxis& axis : description.axes)
+      for (const Variation& variation : axis.variations) refuse_shutter(variation.camera, diagnostics);
+    return 1;
+  }
+  if (!description.camera) return 1;
+  const ParamList params = description.camera->params.at(Moment());
+  const float seconds = number_of(params, "shutterclose", 1) - number_of(params, "shutteropen", 0);
+  return seconds > 0 ? seconds : 1;
+}
+
+/// Returns the command line's accelerator, else the scene's if dspm has it; pbrt's trees change nothing in the image.
+std::string accel_of(const SceneDescription& description, const Choices& choices, Diagnostics& diagnostics) {
+  if (!choices.accel.empty()) return std::string(find_by_option(accel_plugins(), "accel", choices.accel)->name);
+  const std::optional<PluginUse>& use = description.accelerator;
+  if (!use) return {};
+  if (use->type != "bvh" && use->type != "kdtree") {
+    const auto* plugin = accel_plugins().find(use->type, use->type_where, diagnostics);
+    return plugin != nullptr ? use->type : std::string();
+  }
+  diagnostics.note(use->where, fmt::format("accelerator \"{}\" has no effect: dspm has its own", use->type));
+  return {};
+}
+
+/// Reports errors in the integrator's parameters before there is a scene to make it for.
+void check_integrator(const Job& job, const ParamList& params, const SourceLocation& where, Diagnostics& diagnostics) {
+  ParamReader reader(params, fmt::format("integrator \"{}\"", job.integrator), where, diagnostics);
+  check(*job.plugin, reader, Scene{}, job.settings);
+}
+
+/// Adds the settings that variations give. One integrator renders all frames.
+void add_own_integrators(const SceneDescription& description, const Choices& choices, Job& job,
+                         Diagnostics& diagnostics) {
+  for (const VariationAxis& axis : description.axes)
+    for (const Variation& variation : axis.variations) {
+      if (!variation.integrator) continue;
+      const PluginUse& use = *variation.integrator;
+      IntegratorChoice choice = choose_integrator(description, choices, diagnostics, &use);
+      for (const char* const name : {"seed", "noise"})
+        if (const Param* const param = choice.params.find(name))
+          diagnostics.error(param->where, fmt::format("the {} is the same for all variations", name));
+      if (choice.plugin != nullptr && choice.plugin != job.plugin)
+        diagnostics.error(use.type_where, "the integrator's type is the same for all variations",
+                          fmt::format("the scene's is \"{}\"; other settings of it are possible", job.integrator));
+      else if (choice.plugin != nullptr)
+        check_integrator(job, choice.params, use.where, diagnostics);
+      job.own_integrators.push_back({&use, std::move(choice.params)});
+    }
+}
+
+/// Returns the noise that the command line asks for, else the integrator, else the sampler.
+std::string noise_of(const Job& job, const SamplerSettings& sampler, const Choices& choices) {
+  if (!choices.noise.empty()) return choices.noise;
+  const std::string* const own = only_text(job.params.find("noise"));
+  return own != nullptr ? *own : sampler.noise;
+}
+
+/// Returns the settings of the scene's frames, which share them; null if they are the job's.
+const Job::OwnIntegrator* own_integrator(const Job& job, const Scene& scene) {
+  if (job.own_integrators.empty() || scene.file_frames.empty()) return nullptr;
+  const PluginUse* const use = job.description->own_integrator_of(scene.file_frames.front());
+  for (const Job::OwnIntegrator& own : job.own_integrators)
+    if (own.use == use) return &own;
+  return nullptr;
+}
+
+}  // namespace
+
+std::string Job::frames_in_words() const {
+  std::set<std::size_t> variations;
+  for (const FileFrame frame : frames) variations.insert(description->frames.combination_of(frame));
+  if (description->axes.empty()) return counted(frames.size(), "frame");
+  const std::string in_words = counted(variations.size(), "variation");
+  return numbered ? fmt::format("{} ({})", counted(frames.size(), "frame"), in_words) : in_words;
+}
+
+int Job::iterations(const Integrator& made) const {
+  if (chosen_iterations) return *chosen_iterations;
+  if (until_error > 0) return 0;
+  const int asked = made.iterations();
+  return quick && asked > 0 ? std::max(1, asked / kQuickShare) : asked;
+}
+
+std::unique_ptr<Integrator> Job::make_integrator(const Scene& scene, Diagnostics& diagnostics,
+                                                 std::size_t memory) const {
+  const auto make = [&](std::size_t bytes) { return make_without_error(scene, diagnostics, bytes); };
+  return with_error(make, scene, memory);
+}
+
+std::unique_ptr<Integrator> Job::with_error(const MakeWithin& make, const Scene& scene, std::size_t memory) const {
+  const int marks_per_octave = until_error > 0 ? 8 : 2;  // each takes an image of every frame
+  return with_error_estimate(make, scene, settings.crop, marks_per_octave, memory);
+}
+
+std::unique_ptr<Integrator> Job::make_without_error(const Scene& scene, Diagnostics& diagnostics,
+                                                    std::size_t memory) const {
+  const auto make = [&](const Scene& of, const RenderSettings& bounded) {
+    const OwnIntegrator* const own = own_integrator(*this, scene);
+    ParamReader reader(own != nullptr ? own->params : params, fmt::format("integrator \"{}\"", plugin->name),
+                       own != nullptr ? own->use->where : where, diagnostics);
+    std::unique_ptr<Integrator> bare = plugin->make(reader, of, bounded);
+    if (bare == nullptr || !has_catchers(of) || gives(*bare, kCaughtLight)) return bare;
+    diagnostics.error(where, fmt::format("integrator \"{}\" knows no shadow catchers", plugin->name),
+                      "dsppm, sppm, vcm, path and photonmap do");
+    return std::unique_ptr<Integrator>();
+  };
+  const auto make_with_outputs = [&](std::size_t bytes) { return with_shadow_catchers(make, scene, settings, bytes); };
+  std::unique_ptr<Integrator> made = with_variance_output(make_with_outputs, scene, settings, memory);
+  if (made == nullptr && diagnostics.error_count() == 0)
+    diagnostics.error(where, fmt::format("integrator \"{}\" cannot be made: its factory returned null", plugin->name));
+  if (made != nullptr) check_outputs(made->outputs(), settings.outputs, integrator, diagnostics);
+  return made;
+}
+
+Job make_job(const SceneDescription& description, const Choices& choices, Diagnostics& diagnostics) {
+  Job job;
+  job.scene_file = description.files.empty() ? "-" : description.files.front()->name;
+  job.description = &description;
+  job.frames = chosen_frames(description, choices);
+  job.known = choices.known;
+  job.numbered = description.frames_where.file != nullptr;
+  job.fps = description.fps.value_or(0);
+  job.film = make_film(description, choices, diagnostics);
+  job.film.transparent |= choices.transparent || asks_for_shadow_catchers(description);
+  job.exposure = imaging_ratio(job.film, shutter_seconds(description, diagnostics));
+
+  IntegratorChoice choice = choose_integrator(description, choices, diagnostics);
+  job.plugin = choice.plugin;
+  job.integrator = choice.plugin != nullptr ? choice.plugin->name : "";
+  job.params = std::move(choice.params);
+  job.where = choice.where;
+
+  job.accel = accel_of(description, choices, diagnostics);
+  job.chosen_iterations = choices.iterations, job.quick = choices.quick;
+  job.until_error = choices.until_error;
+
+  const SamplerSettings sampler = read_sampler(description.sampler, diagnostics);
+  RenderSettings& settings = job.settings;
+  settings.width = job.film.width, settings.height = job.film.height;
+  settings.crop = crop_of(job.film);
+  settings.filter = make_one(pixel_filter_plugins(), kUsualPixelFilter, description.filter, diagnostics);
+  expect_density(*settings.filter, description, diagnostics);
+  job.outputs = outputs_of(job.film, choices, description), job.denoiser = choices.denoiser;
+  settings.outputs = with_denoiser_inputs(job.outputs, job.denoiser);
+  settings.in_camera_space = job.film.in_camera_space;
+  expect_room(job.film, job.outputs, description);
+  settings.transparent = job.film.transparent;
+  settings.jitter = !description.options.disable_pixel_jitter;
+  settings.filter_textures = !description.options.disable_texture_filtering;
+  settings.default_iterations = sampler.pixel_samples.value_or(usual_samples(description));
+  const int seed = sampler.seed.value_or(description.options.seed.value_or(0));
+  settings.seed = choices.seed.value_or(static_cast<std::uint64_t>(integer_of(job.params, "seed", seed)));
+  settings.noise_per_frame = noise_of(job, sampler, choices) == "perframe";
+  if (job.plugin != nullptr) {
+    check_integrator(job, job.params, job.where, diagnostics);
+    add_own_integrators(description, choices, job, diagnostics);
+  }
+  return job;
+}
+
+}  // namespace dspm

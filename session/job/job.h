@@ -1,0 +1,75 @@
+// A job says what to render, and how: the scene's Film, PixelFilter, Sampler and Integrator, overridden by the caller's
+// choices.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dspm/base/math/frames.h"
+#include "dspm/base/params/errors.h"
+#include "dspm/base/params/params.h"
+#include "dspm/image/film/film.h"
+#include "dspm/integrators/beside/make_beside.h"
+#include "dspm/integrators/integrator.h"
+#include "dspm/lang/description.h"
+#include "dspm/session/job/choices.h"
+#include "dspm/world/scene/scene.h"
+
+namespace dspm {
+
+/// The pixel filter of scenes that name none.
+inline constexpr const char* kUsualPixelFilter = "gaussian";
+
+struct Job {
+  std::string scene_file;
+  const SceneDescription* description = nullptr;  // outlives the job
+  std::vector<FileFrame> frames;                  // ascending
+  std::optional<KnownFrames> known;               // of the run that is resumed
+  bool numbered = false;                          // image names contain the frame's number
+  double fps = 0;                                 // 0: no animation
+  FilmSettings film;
+  float exposure = 1;                // image values over radiance
+  std::vector<std::string> outputs;  // to be written next to radiance
+  std::optional<Denoiser> denoiser;
+  RenderSettings settings;  // its outputs: those, and what the denoiser takes
+  std::string integrator;
+  const IntegratorPlugin* plugin = nullptr;
+  ParamList params;      // of the integrator
+  SourceLocation where;  // of the Integrator directive
+  /// A variation's own settings for the integrator.
+  struct OwnIntegrator {
+    const PluginUse* use;
+    ParamList params;
+  };
+  std::vector<OwnIntegrator> own_integrators;
+  std::string accel;  // a plugin's name; empty: the usual one
+  std::optional<int> chosen_iterations;
+  bool quick = false;      // a quarter of the iterations
+  double until_error = 0;  // ends the render, see error_estimate.h; 0: iterations do
+
+  /// The frame's moment. variation() is the name of its variation, empty if there is none.
+  Moment moment(FileFrame frame) const { return description->frames.moment(frame); }
+  const std::string& variation(FileFrame frame) const { return description->frames.variation(frame); }
+  /// Returns "25 frames", "8 variations" or "200 frames (8 variations)".
+  std::string frames_in_words() const;
+
+  /// Returns how many iterations to do in all: as chosen; else 0 (until stopped) if an error is to be reached; else as
+  /// many as the integrator says.
+  int iterations(const Integrator& made) const;
+  /// Makes an integrator that may hold `memory` bytes; 0 means that there is no bound. Throws NotEnoughMemory if they
+  /// are too few.
+  std::unique_ptr<Integrator> make_integrator(const Scene& scene, Diagnostics& diagnostics,
+                                              std::size_t memory = 0) const;
+  /// Makes the integrator without the estimate of the error, for callers that do not see all iterations.
+  std::unique_ptr<Integrator> make_without_error(const Scene& scene, Diagnostics& diagnostics,
+                                                 std::size_t memory = 0) const;
+  /// Returns what `make` returns, with the estimate of the error.
+  std::unique_ptr<Integrator> with_error(const MakeWithin& make, const Scene& scene, std::size_t memory) const;
+};
+
+/// Reports errors to `diagnostics`. Throws UsageError if the command line does not fit this scene.
+Job make_job(const SceneDescription& description, const Choices& choices, Diagnostics& diagnostics);
+
+}  // namespace dspm

@@ -1,0 +1,24 @@
+// Reads what dspm takes from the Sampler directive; the sequence of random numbers is its own.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dspm/base/params/params.h"
+#include "dspm/lang/description.h"
+
+namespace dspm {
+
+struct SamplerSettings {
+  std::optional<int> pixel_samples, seed;
+  std::string noise;  // empty: it does not say
+};
+
+SamplerSettings read_sampler(const std::optional<PluginUse>& use, Diagnostics& diagnostics);
+
+/// Returns the names of pbrt's samplers, which are all the same here except for the parameters that they have.
+const std::vector<std::string>& sampler_names();
+std::vector<ParamInfo> sampler_params(const std::string& name);
+
+}  // namespace dspm

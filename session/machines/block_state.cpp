@@ -1,0 +1,21 @@
+#include "dspm/session/machines/block_state.h"
+
+#include <stdexcept>
+
+#include "dspm/base/system/state_in_memory.h"
+
+namespace dspm {
+
+std::string rendered(const Block& block, Integrator& integrator, const Scene& scene, const std::string& zero) {
+  load_state(zero, integrator);
+  for (int i = block.begin; i < block.end; ++i) integrator.iterate(i, scene);
+  return state_of(integrator);
+}
+
+void add(const std::string& state, Integrator& integrator) {
+  AddedState added(state);
+  if (!integrator.persist(added) || !added.all_read())
+    throw std::runtime_error("the state of another machine belongs to another integrator");
+}
+
+}  // namespace dspm

@@ -1,0 +1,54 @@
+#include "dspm/session/machines/find_link.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "dspm/base/params/errors.h"
+
+namespace dspm {
+namespace {
+
+bool is_above_one(const char* name) {
+  const char* const value = std::getenv(name);
+  return value != nullptr && std::atoi(value) > 1;
+}
+
+/// Returns whether Open MPI, or a scheduler that starts its programs itself, has left its variables in the environment.
+/// Schedulers do so for single processes, too, which need no MPI.
+bool was_started_by_mpi() {
+  return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr ||
+         (std::getenv("PMI_RANK") != nullptr && is_above_one("PMI_SIZE")) ||
+         (std::getenv("PMIX_RANK") != nullptr && is_above_one("SLURM_STEP_NUM_TASKS"));
+}
+
+/// Returns the path of the module, next to the library that this code is in.
+std::filesystem::path module_file() {
+  Dl_info info{};
+  dladdr(reinterpret_cast<const void*>(&find_link), &info);
+  std::error_code error;
+  const std::filesystem::path library = std::filesystem::canonical(info.dli_fname, error);
+  return library.parent_path() / DSPM_MPI_MODULE;
+}
+
+}  // namespace
+
+std::unique_ptr<Link> find_link() {
+  if (!was_started_by_mpi()) return nullptr;
+  const std::filesystem::path file = module_file();
+  // Open MPI loads modules of its own, which look for its library among those that everybody sees.
+  void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL);
+  void* const make = module != nullptr ? dlsym(module, "dspm_link") : nullptr;
+  if (make == nullptr)
+    throw UsageError(
+        fmt::format("MPI has started this program, and its module for MPI cannot be loaded ({}); build dspm where "
+                    "libopenmpi-dev is installed, or start it without mpirun",
+                    dlerror()));
+  using MakeLink = Link*();
+  return std::unique_ptr<Link>(reinterpret_cast<MakeLink*>(make)());
+}
+
+}  // namespace dspm

@@ -1,0 +1,14 @@
+// The link to other machines, if a tool that knows them has started this program.
+#pragma once
+
+#include <memory>
+
+#include "dspm/session/machines/link.h"
+
+namespace dspm {
+
+/// Returns null if the program was started by itself. Throws UsageError if it was started by mpirun, and the module for
+/// MPI is missing.
+std::unique_ptr<Link> find_link();
+
+}  // namespace dspm

@@ -1,0 +1,125 @@
+#include "dspm/shapes/placed_shape.h"
+
+#include <bit>
+
+#include "dspm/base/math/ray.h"
+#include "dspm/base/math/rng.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/shapes/beyond_hole.h"
+#include "dspm/shapes/placed_bounds.h"
+#include "dspm/shapes/rounding.h"
+
+namespace dspm {
+namespace {
+
+// |M| v for a linear map M: the image of an error box.
+template <class Map>
+Vec3 absolute(const Map& map, const Vec3& v) {
+  return abs(map(Vec3{1, 0, 0})) * v.x + abs(map(Vec3{0, 1, 0})) * v.y + abs(map(Vec3{0, 0, 1})) * v.z;
+}
+
+// Bound on the world-space error of a point that is transformed to the world and back to object space: each matrix is
+// rounded (one rounding per entry) and applied (three), and they are inverse to each other up to that.
+Vec3 round_trip_error(const Transform& t, const Vec3& p_object, const Vec3& p_world) {
+  const auto forward = [&](const Vec3& v) { return t.vector(v); };
+  const auto backward = [&](const Vec3& v) { return t.inverse_vector(v); };
+  const Vec3 back = absolute(backward, abs(p_world)) + abs(t.inverse_point({}));
+  return 2 * t.point_error(p_object) + gamma_bound(5) * absolute(forward, back);
+}
+
+/// Returns a number in [0, 1) that is a function of a ray's bits and of the point at which it meets a shape.
+float number_of(const Ray& ray, std::uint64_t shape, int primitive, Vec2 uv) {
+  std::uint64_t key = mix_bits(shape + 1);
+  const auto absorb = [&](std::uint32_t a, std::uint32_t b) {
+    key = mix_bits(key + 0x9e3779b97f4a7c15u * ((std::uint64_t{a} << 32 | b) + 1));
+  };
+  const auto bits = [](float x) { return std::bit_cast<std::uint32_t>(x); };
+  absorb(static_cast<std::uint32_t>(primitive), bits(ray.direction.z));
+  absorb(bits(ray.origin.x), bits(ray.origin.y));
+  absorb(bits(ray.origin.z), bits(ray.direction.x));
+  absorb(bits(ray.direction.y), bits(uv.x));
+  absorb(bits(uv.y), 0);
+  return static_cast<float>(key >> 40) * 0x1p-24f;
+}
+
+}  // namespace
+
+Bounds3 PlacedShape::bounds(int primitive) const { return bounds_of(*this, shape->bounds(primitive)); }
+
+Bounds3 bounds_of(const PlacedShape& placed, const Bounds3& own) {
+  if (!placed.in_object_space() || own.empty()) return own;
+  Bounds3 world = placed.to_world.bounds(own);
+  const Vec3 reach = max(abs(own.low), abs(own.high));
+  const Vec3 error = round_trip_error(placed.to_world, reach, max(abs(world.low), abs(world.high)));
+  world.low = world.low - error;
+  world.high = world.high + error;
+  return world;
+}
+
+std::optional<PrimitiveHit> PlacedShape::intersect(int primitive, const Ray& ray) const {
+  const Ray own = in_object_space() ? to_world.inverse_ray(ray) : ray;
+  const auto met = [&](const Ray& part) { return shape->intersect(primitive, part); };
+  std::optional<PrimitiveHit> hit = met(own);
+  while (hit && !stops(ray, primitive, hit->uv)) hit = meet_beyond(*shape, primitive, own, *hit, met);
+  return hit;
+}
+
+SurfacePoint PlacedShape::surface_point(int primitive, Vec2 uv) const {
+  return in_world(shape->surface_point(primitive, uv));
+}
+
+SurfacePoint PlacedShape::seen(int primitive, Vec2 uv, const Vec3& direction) const {
+  return in_world(shape->seen(primitive, uv, in_object_space() ? to_world.inverse_vector(direction) : direction));
+}
+
+Strip PlacedShape::strip(int primitive, Vec2 uv, const Vec3& direction) const {
+  if (!in_object_space()) return shape->strip(primitive, uv, direction);
+  const Strip own = shape->strip(primitive, uv, to_world.inverse_vector(direction));
+  return {own.number, to_world.vector(own.along), to_world.vector(own.across)};
+}
+
+SurfacePoint PlacedShape::in_world(SurfacePoint s) const {
+  if (in_object_space()) {
+    const Vec3 p = to_world.point(s.p);
+    s.p_error =
+        absolute([&](const Vec3& v) { return to_world.vector(v); }, s.p_error) + round_trip_error(to_world, s.p, p);
+    s.p = p;
+    s.ng = normalize(to_world.normal(s.ng));
+    s.ns = normalize(to_world.normal(s.ns));
+    if (!(dot(s.ns, s.ng) > 0)) s.ns = s.ng;
+    s.dpdu = to_world.vector(s.dpdu), s.dpdv = to_world.vector(s.dpdv);
+  }
+  if (flip_normals) s.ng = -s.ng, s.ns = -s.ns;
+  return s;
+}
+
+AreaSample PlacedShape::sample_area(int primitive, Vec2 u) const {
+  const Vec2 uv = shape->sample_area(primitive, u);
+  const float scale = in_object_space() ? area_scale(shape->surface_point(primitive, uv).ng) : 1.f;
+  return {surface_point(primitive, uv), 1 / (shape->area(primitive) * scale)};
+}
+
+float PlacedShape::pdf_a(int primitive, const Vec3& ng) const {
+  const Vec3 n{dot(ng, to_world.vector({1, 0, 0})), dot(ng, to_world.vector({0, 1, 0})),
+               dot(ng, to_world.vector({0, 0, 1}))};
+  return 1 / (shape->area(primitive) * area_scale(normalize(n)));
+}
+
+bool PlacedShape::stops(const Ray& ray, int primitive, Vec2 uv) const {
+  if (cutout == nullptr) return true;
+  const SurfacePoint point = surface_point(primitive, uv);
+  const float alpha = cutout->alpha(point);
+  return alpha >= 1 || (alpha > 0 && number_of(ray, cutout_key, primitive, uv) < alpha);
+}
+
+std::optional<Vec2> PlacedShape::area_numbers(int primitive, const Vec3& p) const {
+  return shape->area_numbers(primitive, in_object_space() ? to_world.inverse_point(p) : p);
+}
+
+float PlacedShape::area_scale(const Vec3& n) const {
+  if (!in_object_space()) return 1;
+  const Basis tangents = Basis::around(n);
+  return length(cross(to_world.vector(tangents.x), to_world.vector(tangents.y)));
+}
+
+}  // namespace dspm

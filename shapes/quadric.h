@@ -1,0 +1,85 @@
+// Sphere, cylinder and disk share this: where a ray meets a circle's or a sphere's surface, and the angle that the
+// shape covers around the z axis. Intersections are in double, because rays come from far away and leave from very
+// near.
+#pragma once
+
+#include <numbers>
+#include <optional>
+#include <string>
+
+#include "dspm/base/math/vec.h"
+#include "dspm/base/params/params.h"
+#include "dspm/shapes/double_vec.h"
+#include "dspm/shapes/shape.h"
+
+namespace dspm {
+
+/// The line o + t d meets the surface at t[0] <= t[1].
+struct Roots {
+  double t[2];
+};
+
+/// Solves |o + t d| = r. A cylinder passes vectors with z = 0. The discriminant is computed from the line's distance to
+/// the centre, because |o|^2 - r^2 has no digits left if the sphere is far away. [Haines et al. 2019, Ray Tracing Gems,
+/// ch. 7]
+inline std::optional<Roots> meet_round(const DoubleVec3& o, const DoubleVec3& d, double r) {
+  const double a = dot(d, d), b = dot(o, d);
+  if (!(a > 0)) return std::nullopt;
+  const double distance = length(o + d * (-b / a));
+  const double discriminant = a * (r + distance) * (r - distance);
+  if (!(discriminant >= 0)) return std::nullopt;
+  const double q = -(b + std::copysign(std::sqrt(discriminant), b)), c = (length(o) + r) * (length(o) - r);
+  const double t0 = q / a, t1 = q == 0 ? t0 : c / q;
+  return t0 < t1 ? Roots{{t0, t1}} : Roots{{t1, t0}};
+}
+
+/// Replaces the 0 at a pole, where u has no direction, so that dpdu keeps one.
+inline constexpr double kLeastSine = 1e-6;
+
+/// Reads a length that must be above 0.
+inline float read_positive(ParamReader& reader, std::string_view name, float fallback, std::string_view sentence) {
+  const float value = reader.number(name, fallback, "scene units", sentence);
+  if (value > 0) return value;
+  reader.error(name, std::string("\"").append(name).append("\" must be above 0"));
+  return fallback;
+}
+
+/// The angles around z from 0 to phimax; a point's u is its fraction of phimax.
+class Sweep {
+ public:
+  /// Reads "phimax".
+  explicit Sweep(ParamReader& reader) {
+    const float degrees = reader.number("phimax", 360, "degrees", "the angle that the shape covers around the z axis");
+    if (!(degrees > 0)) reader.error("phimax", "\"phimax\" must be above 0");
+    full_ = !(degrees > 0 && degrees < 360);
+    phi_max_ = full_ ? 2 * std::numbers::pi : degrees * (std::numbers::pi / 180);
+  }
+
+  double phi_max() const { return phi_max_; }  // radians
+  double phi(float u) const { return u * phi_max_; }
+  /// Returns nullopt where the shape is cut away.
+  std::optional<float> u_of(double x, double y) const {
+    double phi = std::atan2(y, x);
+    if (phi < 0) phi += 2 * std::numbers::pi;
+    const double u = phi / phi_max_;
+    if (!full_ && u > 1) return std::nullopt;
+    return static_cast<float>(std::min(u, 1.0));
+  }
+
+ private:
+  bool full_;
+  double phi_max_;
+};
+
+/// Returns the nearer root in (0, t_max) for which `at(t)` gives the parameters of a point of the shape.
+template <class At>
+std::optional<PrimitiveHit> first_hit(const Roots& roots, float t_max, const At& at) {
+  for (const double root : roots.t) {
+    const auto t = static_cast<float>(root);
+    if (!(t > 0 && t < t_max && t < kInfinity)) continue;
+    if (const std::optional<Vec2> uv = at(root)) return PrimitiveHit{t, *uv};
+  }
+  return std::nullopt;
+}
+
+}  // namespace dspm

@@ -1,0 +1,3 @@
+#pragma once
+
+#include "dspm/accel/floor_4.h"

@@ -1,0 +1,3 @@
+#pragma once
+
+#include "dspm/base/math/turn.h"

@@ -1,0 +1,61 @@
+// Maps a point on a surface to the plane in which pictures and checkerboards lie, or to the space in which noise and
+// cubes do. A footprint is carried along: the changes of the coordinates along its two axes.
+//
+//   | mapping                              | "uv"     | or spherical, cylindrical, planar                         |
+//   | uvset                                | 1        | of uv: 2 takes a mesh's second texture coordinates        |
+//   | uscale, vscale, udelta, vdelta       | 1, 1, 0, 0 | of uv: s = uscale u + udelta; planar takes the deltas too |
+//   | rotation                             | 0        | of uv: degrees from u towards v, after the scale and before the
+//   |                                      |          | delta                                                     |
+//   | v1, v2                               | x, y     | of planar: s = v1 . p + udelta, t = v2 . p + vdelta       |
+//
+// All but uv use the point in the texture's own space: the transform in force where the texture was defined.
+#pragma once
+
+#include "dspm/base/math/transform.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/base/params/params.h"
+#include "dspm/textures/texture.h"
+
+namespace dspm {
+
+/// A place in the plane of a picture.
+struct TextureCoordinates {
+  Vec2 st;
+  Vec2 dstdx{}, dstdy{};  // the footprint's axes; zero for a point
+};
+
+class TextureMapping {
+ public:
+  enum class Kind { uv, spherical, cylindrical, planar };
+
+  static TextureMapping read(ParamReader& reader, const Transform& world_from_texture);
+
+  Vec2 at(const TexturePoint& point) const;
+  TextureCoordinates map(const TexturePoint& point) const;
+
+ private:
+  Vec2 at_own(const Vec3& p) const;
+  Vec2 turned_uv(Vec2 uv) const;
+  bool takes_second(const TexturePoint& point) const { return second_uv_ && point.vertices.data != nullptr; }
+  /// Returns the change of the coordinates along the axis `dp` of a footprint, to first order.
+  Vec2 change(const TexturePoint& point, const Vec3& dp) const;
+
+  Kind kind_ = Kind::uv;
+  bool second_uv_ = false;
+  Vec2 scale_{1, 1}, delta_;
+  Vec2 along_u_{1, 0};  // where u leads to
+  Vec3 v1_, v2_;
+  Transform world_from_texture_;
+};
+
+/// A place in the texture's own space.
+struct SpaceCoordinates {
+  Vec3 p;
+  Vec3 dpdx, dpdy;  // the footprint's axes; zero for a point
+};
+inline SpaceCoordinates in_own_space(const Transform& world_from_texture, const TexturePoint& at) {
+  return {world_from_texture.inverse_point(at.p), world_from_texture.inverse_vector(at.dpdx),
+          world_from_texture.inverse_vector(at.dpdy)};
+}
+
+}  // namespace dspm

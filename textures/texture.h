@@ -1,0 +1,61 @@
+// A texture: a value that varies over a surface. Materials hold textures; a plain number in the scene becomes a texture
+// that is the same everywhere.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/base/math/vertex_data.h"
+
+namespace dspm {
+
+/// The place where a texture is looked up, all in the world. A lookup may average over a footprint, the ellipse around
+/// p whose axes are dpdx and dpdy, as in pbrt; they are zero for a point. Only textures that say so get a footprint
+/// (Texture::averages).
+struct TexturePoint {
+  Vec3 p;
+  Vec2 uv;
+  Vec3 n{};             // geometric normal, unit length
+  Vec3 dpdu{}, dpdv{};  // derivatives of p by uv; dpdv is zero if they are not known
+  Vec3 dpdx{}, dpdy{};  // the footprint
+  VertexPlace vertices{};
+};
+
+/// Returns whether a surface can reflect the colour.
+inline bool is_albedo(const Rgb& c) {
+  return c.r >= 0 && c.r <= 1 && c.g >= 0 && c.g <= 1 && c.b >= 0 && c.b <= 1;
+}
+
+template <class T>
+class Texture {
+ public:
+  virtual ~Texture() = default;
+  virtual T evaluate(const TexturePoint& at) const = 0;
+  /// Returns the value if it is the same everywhere. Call it once, when a material is made.
+  virtual std::optional<T> constant() const { return std::nullopt; }
+  /// Returns whether evaluate() over a footprint is the mean of its values at points, and these lie in 0..1, so that
+  /// nothing cuts them off before they are averaged. Other textures are looked up at points only. Call it once, too.
+  virtual bool averages() const { return false; }
+};
+using FloatTexture = Texture<float>;
+using RgbTexture = Texture<Rgb>;
+
+/// Textures are shared: by materials, by other textures and between frames.
+template <class T>
+using TexturePtr = std::shared_ptr<const Texture<T>>;
+
+template <class T>
+class ConstantTexture final : public Texture<T> {
+ public:
+  explicit ConstantTexture(const T& value) : value_(value) {}
+  T evaluate(const TexturePoint&) const override { return value_; }
+  std::optional<T> constant() const override { return value_; }
+  bool averages() const override { return is_albedo(Rgb(value_)); }
+
+ private:
+  T value_;
+};
+
+}  // namespace dspm

@@ -1,0 +1,147 @@
+// The finished scene of one frame interval (the frames rendered together): all that an integrator may query. Everything
+// is const, and frames count from 0 at the first frame that is rendered.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dspm/accel/accel.h"
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/base/math/transform.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/cameras/camera.h"
+#include "dspm/lights/light.h"
+#include "dspm/materials/material.h"
+#include "dspm/world/scene/inside.h"
+
+namespace dspm {
+
+/// A scene element that may change from frame to frame: one object per distinct state. The sets are disjoint; in frames
+/// outside all of them, the element does not exist.
+template <class T>
+struct FrameStates {
+  struct State {
+    FrameSet frames;
+    std::shared_ptr<const T> object;
+  };
+  std::vector<State> states;
+
+  /// Returns whether these frames are in more than one state, or the element exists in only some of them.
+  bool differs_in(FrameSet frames) const {
+    for (const State& s : states)
+      if (!(s.frames & frames).empty()) return !s.frames.contains(frames);
+    return false;
+  }
+  /// Calls fn(FrameSet, const T&) for each state that applies in some of `frames`.
+  template <class Fn>
+  void for_each(FrameSet frames, Fn&& fn) const {
+    for (const State& s : states)
+      if (const FrameSet common = s.frames & frames; !common.empty()) fn(common, *s.object);
+  }
+};
+
+/// A factor by which frames differ from others.
+struct FrameFactor {
+  FrameSet frames;
+  Rgb factor;
+};
+
+/// A light with its states.
+struct SceneLight {
+  /// States whose photons start like those of `first`, a state of the file, times a weight.
+  struct Alike {
+    std::shared_ptr<const Light> first;
+    std::vector<FrameStates<Light>::State> states;
+    /// Each state's Light::ratio_to(first); empty if the ratio depends on a photon's direction.
+    std::vector<FrameFactor> factors;
+  };
+  FrameStates<Light> states;
+  float probability = 0;     // of a direct light sample: its mean power over all frames of the file, over that of all
+  std::vector<Alike> alike;  // all states, grouped
+  bool is_delta = false;     // no ray can hit it: it has no surface and is not infinite
+  float photons = 1;         // the scene's factor to its share of the photon paths
+  bool caustics = true;      // false: its photons end where they would go on to a caustic
+  /// The shares of the file's frames with this light, by Scene::light_choices; they add up to 1. Weights take the
+  /// density of a photon's start as the mean with these shares.
+  std::vector<float> choice_shares;
+  int group = 0;  // into Scene::light_groups
+};
+
+struct ChosenLight {
+  int index;
+  float probability;
+};
+
+/// Frames whose photon paths choose lights alike: in proportion to mean power over these frames of the file, times
+/// SceneLight::photons. Other frames start paths of their own, with the same random numbers.
+struct LightChoice {
+  FrameSet frames;
+  std::vector<float> probability;  // by light
+  float share = 1;                 // of the file's frames
+
+  /// Returns a light of probability 0 if there are no lights.
+  ChosenLight choose(float u) const;
+};
+
+/// A scene element made by a plugin, for messages.
+struct SceneElement {
+  enum class Kind { camera, shape, material, light };
+  Kind kind;
+  int index = 0;  // into the scene's shapes, materials or lights
+  friend bool operator==(const SceneElement& a, const SceneElement& b) {
+    return a.kind == b.kind && a.index == b.index;
+  }
+};
+
+class Scene {
+ public:
+  std::vector<FileFrame> file_frames;  // by frame: which of the file it is; ascending, at most kMaxFrames
+  Vec3 center;                         // bounding sphere over all frames of the file
+  float radius = 1;
+
+  std::vector<PlacedShape> shapes;
+  /// The distinct names of objects: what the scene file calls one thing, perhaps several shapes.
+  std::span<const std::string> object_names;
+  std::vector<FrameStates<Material>> materials;
+  std::span<const std::string> material_names;  // distinct
+  /// Says for each material whether its shapes bound a body in some frame. Empty if no path needs to know the bodies
+  /// that it is in.
+  std::vector<bool> bounds_bodies;
+  bool nests = false;  // bodies differ in priority: where they overlap, one of them is not there
+  /// The bodies that the camera lies in; the sets are disjoint, and cover all frames if there are any.
+  struct AroundCamera {
+    FrameSet frames;
+    Inside inside;
+  };
+  std::vector<AroundCamera> around_camera;
+  std::vector<SceneLight> lights;
+  std::vector<LightChoice> light_choices;     // of the file; their frames here are disjoint, and all frames in the end
+  std::span<const std::string> light_names;   // distinct
+  std::span<const std::string> light_groups;  // distinct; the first is that of lights without a group of their own
+  std::vector<int> infinite_lights;           // those that implement escaped()
+  FrameStates<Camera> camera;
+  std::vector<Transform> camera_to_world;              // by frame
+  std::vector<std::shared_ptr<const Cutout>> cutouts;  // of shapes
+  std::unique_ptr<Accel> accel;
+  std::vector<bool> catchers;  // by shape: whether it only shows how others change its light; empty: none in the file
+  /// The same frames with nothing but the catchers and what emits light; null if the file has no catchers.
+  std::unique_ptr<const Scene> without_objects;
+  bool is_without_objects = false;
+
+  int frame_count() const { return static_cast<int>(file_frames.size()); }
+  bool is_catcher(int shape) const { return !catchers.empty() && catchers[static_cast<std::size_t>(shape)]; }
+  FrameSet frames() const { return FrameSet::first(frame_count()); }
+  /// Returns the material if its shapes bound a body that paths need to know, else kNoBody.
+  int body_of(int material) const {
+    return !bounds_bodies.empty() && bounds_bodies[static_cast<std::size_t>(material)] ? material : kNoBody;
+  }
+  /// Returns the surface where a ray of that direction hit.
+  SurfacePoint surface_point(const RayHit& hit, const Vec3& direction) const {
+    return shapes[static_cast<std::size_t>(hit.shape)].seen(hit.primitive, hit.uv, direction);
+  }
+};
+
+}  // namespace dspm

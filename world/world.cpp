@@ -1,0 +1,356 @@
+#include "dspm/world/world.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "dspm/base/math/frames.h"
+#include "dspm/base/params/params.h"
+#include "dspm/base/system/files_read.h"
+#include "dspm/lights/light_group.h"
+#include "dspm/world/bodies.h"
+#include "dspm/world/lighting/coverage.h"
+#include "dspm/world/lighting/lighting.h"
+#include "dspm/world/lighting/sharing.h"
+#include "dspm/world/objects/distinct_names.h"
+#include "dspm/world/objects/geometry.h"
+#include "dspm/world/objects/in_frame.h"
+#include "dspm/world/objects/likeness.h"
+#include "dspm/world/objects/param_key.h"
+#include "dspm/world/objects/placement_check.h"
+#include "dspm/world/objects/texture_cutout.h"
+#include "dspm/world/objects/variations.h"
+#include "dspm/world/overlap_warnings.h"
+
+namespace dspm {
+namespace {
+
+const CameraUse& camera_use(const SceneDescription& description, FileFrame frame) {
+  static const CameraUse fallback{{"perspective", {}, {}, {}}, {}};
+  const CameraUse* const use = description.camera_of(frame);
+  return use != nullptr ? *use : fallback;
+}
+
+/// Inverts a matrix; make_camera() has refused those that have no inverse.
+Transform inverted(const Matrix4& camera_from_world) {
+  return Transform(camera_from_world.inverse().value_or(Matrix4()));
+}
+
+Transform camera_to_world(const SceneDescription& description, FileFrame frame) {
+  return inverted(camera_use(description, frame).camera_from_world.at(description.frames.moment(frame)));
+}
+
+Timeline<std::shared_ptr<const Camera>> make_camera(const SceneDescription& description, const WorldOptions& options,
+                                                    Diagnostics& diagnostics) {
+  struct State {
+    const CameraUse* use;
+    ParamList params;
+    Matrix4 camera_from_world;
+  };
+  const auto states = Timeline<State>::of(
+      description.frames.count(),
+      [&](FileFrame f) -> std::optional<State> {
+        const CameraUse& use = camera_use(description, f);
+        const Moment moment = description.frames.moment(f);
+        return State{&use, use.params.is_keyed() ? use.params.at(moment) : use.params,
+                     use.camera_from_world.at(moment)};
+      },
+      [](const State& a, const State& b) {
+        return a.camera_from_world == b.camera_from_world && a.use->type == b.use->type &&
+               (a.use == b.use && !a.use->params.is_keyed() ? true : a.params.same_values(b.params));
+      },
+      [](const State& state) { return Likeness().add(state.camera_from_world).add(state.params).number(); });
+  Timeline<std::shared_ptr<const Camera>> cameras;
+  cameras.state_of = states.state_of;
+  const int errors = diagnostics.error_count();
+  for (FileFrame f(0); f.index() < description.frames.count(); ++f) {
+    const State& state = states.states[static_cast<std::size_t>(states.at(f))];
+    if (is_sound(state.camera_from_world)) continue;
+    report_singular("the camera", in_frame(description.frames, f), state.use->where, diagnostics);
+    return cameras;
+  }
+  for (const State& state : states.states) {
+    const auto* plugin = camera_plugins().find(state.use->type, state.use->type_where, diagnostics);
+    if (!plugin) break;
+    ParamReader reader(state.params, "camera \"" + state.use->type + "\"", state.use->where, diagnostics);
+    cameras.states.emplace_back(plugin->make(reader, CameraContext{inverted(state.camera_from_world), options.width,
+                                                                   options.height, options.film_diagonal}));
+    if (diagnostics.error_count() > errors) break;
+  }
+  return cameras;
+}
+
+/// Reports media as errors: the language knows them, the renderer does not.
+void refuse_media(const SceneDescription& description, Diagnostics& diagnostics) {
+  for (const MediumUse& use : description.media)
+    diagnostics.unsupported(use.where, "medium \"" + use.name + "\": dspm does not render participating media",
+                            "with --lenient, it is empty");
+  for (const MediumInterfaceUse& use : description.medium_interfaces)
+    if (!use.inside.empty() || !use.outside.empty())
+      diagnostics.unsupported(use.where, "dspm does not render participating media", "with --lenient, they are empty");
+}
+
+template <class T>
+FrameStates<T> cut(const Timeline<std::shared_ptr<const T>>& line, const std::vector<FileFrame>& frames) {
+  FrameStates<T> result;
+  for (std::size_t s = 0; s < line.states.size(); ++s)
+    if (const FrameSet set = frames_in_state(line, static_cast<int>(s), frames); !set.empty())
+      result.states.push_back({set, line.states[s]});
+  return result;
+}
+
+}  // namespace
+
+/// What integrators learn from a small picture is worth fewer frames.
+std::size_t size_of_sample(const WorldOptions& options) {
+  constexpr std::size_t kLeast = 4, kPixelsAFrame = 1 << 10;
+  const std::size_t pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
+  return std::clamp(pixels / kPixelsAFrame, kLeast, LightChoices::kMostChoices);
+}
+
+struct World::Impl {
+  Impl(const SceneDescription& text, const WorldOptions& options, Diagnostics& diagnostics)
+      : description(text),
+        looks(text, diagnostics),
+        geometry(text, options.check_meshes, looks, options.kept, diagnostics),
+        kept(options.kept),
+        sample_size(size_of_sample(options)) {
+    refuse_media(text, diagnostics);
+    looks.refuse_unknown_replacements();
+    const bool whole = diagnostics.error_count() == 0;
+    if (whole && geometry.shapes().empty()) diagnostics.warning({}, "the scene has no shape");
+    if (whole && text.lights.empty() && geometry.emitters().empty())
+      diagnostics.warning({}, "the scene has no light: its images will be black");
+    sphere = sphere_around(geometry.bounds());
+    lights = make_lights(text, geometry, looks, sphere, diagnostics);
+    if (diagnostics.error_count() == 0) {
+      light_choices = make_light_choices(lights, text.frames.base().count(), text.frames.count());
+      const auto is_rendered = [&](FileFrame f) {
+        return options.rendered == nullptr || std::binary_search(options.rendered->begin(), options.rendered->end(), f);
+      };
+      expect_covered(text, is_rendered, geometry, sphere, lights, light_choices, diagnostics);
+    }
+    if (diagnostics.error_count() == 0) read_frames(options);
+    for (const WorldLight& light : lights) light_names.add(light.short_name);
+    for (const WorldLight& light : lights)
+      if (light.group != kOtherLights) light_groups.push_back(light.group);
+    std::sort(light_groups.begin(), light_groups.end());
+    light_groups.erase(std::unique(light_groups.begin(), light_groups.end()), light_groups.end());
+    light_groups.insert(light_groups.begin(), kOtherLights);
+    camera = make_camera(text, options, diagnostics);
+    const std::string name = options.accel.empty() ? "two-level" : options.accel;
+    accel = accel_plugins().find(name, text.accelerator ? text.accelerator->type_where : SourceLocation{}, diagnostics);
+    if (accel == nullptr) return;
+    if (text.accelerator && text.accelerator->type == name) accel_params = text.accelerator->params.at(Moment());
+    ParamReader reader = accel_reader(diagnostics);
+    check(*accel, reader, std::span<const PlacedShape>(), FrameSet());
+    if (options.check_meshes && diagnostics.error_count() == 0) warn_of_overlaps(diagnostics);
+  }
+
+  /// Reads the meshes of the frames of which scenes are made: those that are rendered, and those that stand for the file.
+  void read_frames(const WorldOptions& options) {
+    std::vector<FileFrame> frames;
+    if (options.rendered != nullptr)
+      frames = *options.rendered;
+    else
+      for (FileFrame f(0); f.index() < description.frames.count(); ++f) frames.push_back(f);
+    geometry.read(frames);
+    geometry.read(light_choices.sample());
+    geometry.read(light_choices.sample(sample_size));
+  }
+
+  ParamReader accel_reader(Diagnostics& diagnostics) const {
+    return {accel_params, fmt::format("accelerator \"{}\"", accel->name),
+            description.accelerator ? description.accelerator->where : SourceLocation{}, diagnostics};
+  }
+
+  int group_of(const WorldLight& light) const {
+    const auto group = std::find(light_groups.begin(), light_groups.end(), light.group);
+    return static_cast<int>(group - light_groups.begin());
+  }
+
+  enum class Contents { all, without_objects, bodies };
+
+  std::vector<PlacedShape> shapes_in(const std::vector<FileFrame>& frames, Contents contents = Contents::all) const {
+    std::vector<PlacedShape> shapes;
+    const auto directives = static_cast<int>(lights.size() - geometry.emitters().size());
+    for (const WorldShape* shape : shapes_there(frames, contents)) {
+      PlacedShape& placed = shapes.emplace_back(shape->placed);
+      placed.frames = shape->present.among(frames);
+      placed.light = shape->emitter < 0 ? -1 : directives + shape->emitter;
+    }
+    return shapes;
+  }
+  std::vector<const WorldShape*> shapes_there(const std::vector<FileFrame>& frames,
+                                              Contents contents = Contents::all) const {
+    std::vector<const WorldShape*> there;
+    for (const WorldShape& shape : geometry.shapes()) {
+      if (contents == Contents::without_objects && !shape.is_catcher && shape.emitter < 0) continue;
+      if (contents == Contents::bodies && !looks.bounds_a_body(shape.placed.material)) continue;
+      if (!shape.nowhere && !shape.present.among(frames).empty()) there.push_back(&shape);
+    }
+    return there;
+  }
+  bool has_catchers() const {
+    const auto& shapes = geometry.shapes();
+    return std::any_of(shapes.begin(), shapes.end(), [](const WorldShape& shape) { return shape.is_catcher; });
+  }
+  void add_shapes(Scene& scene, Contents contents) const {
+    scene.shapes = shapes_in(scene.file_frames, contents);
+    const std::vector<const WorldShape*> there = shapes_there(scene.file_frames, contents);
+    cut_out(scene, there);
+    if (has_catchers())
+      for (const WorldShape* shape : there) scene.catchers.push_back(shape->is_catcher);
+  }
+  /// Gives the scene's shapes their holes.
+  void cut_out(Scene& scene, const std::vector<const WorldShape*>& there) const {
+    for (std::size_t i = 0; i < there.size(); ++i) {
+      const WorldShape& shape = *there[i];
+      if (shape.alpha < 0) continue;
+      scene.cutouts.push_back(
+          shape.cutout ? shape.cutout
+                       : std::make_shared<const TextureCutout>(looks.number(shape.alpha, shape.alpha_state)));
+      scene.shapes[i].cutout = scene.cutouts.back().get();
+    }
+  }
+
+  std::unique_ptr<Scene> scene(std::span<const FileFrame> frames, Contents contents) const;
+
+  /// Warns of overlaps in the frames that stand for the file.
+  void warn_of_overlaps(Diagnostics& diagnostics) const;
+
+  std::unique_ptr<Accel> make_accel(const Scene& scene, Contents contents) const {
+    const auto make = [&](std::span<const PlacedShape> shapes) {
+      Diagnostics ignored;
+      ParamReader reader = accel_reader(ignored);
+      return accel->make(reader, shapes, scene.frames());
+    };
+    if (kept == nullptr || !scene.cutouts.empty()) return make(scene.shapes);
+    ContentKey which(accel->name);
+    add(which, accel_params);
+    std::vector<std::shared_ptr<const Shape>> owners;
+    for (const WorldShape* shape : shapes_there(scene.file_frames, contents)) owners.push_back(shape->shape);
+    return kept->tree(which, scene.shapes, std::move(owners), scene.frames(), make);
+  }
+
+  const SceneDescription& description;
+  Looks looks;
+  Geometry geometry;
+  KeptGeometry* kept;
+  std::size_t sample_size;  // frames
+  BoundingSphere sphere;
+  std::vector<WorldLight> lights;
+  LightChoices light_choices;
+  DistinctNames light_names;
+  std::vector<std::string> light_groups;
+  Timeline<std::shared_ptr<const Camera>> camera;
+  const AccelPlugin* accel = nullptr;
+  ParamList accel_params;
+};
+
+World::World(const SceneDescription& description, const WorldOptions& options, Diagnostics& diagnostics)
+    : impl_(std::make_unique<Impl>(description, options, diagnostics)) {}
+World::~World() = default;
+
+std::string World::sampling() const {
+  std::string bytes;
+  const auto add = [&](float number) { bytes.append(reinterpret_cast<const char*>(&number), sizeof(number)); };
+  for (const float number : {impl_->sphere.center.x, impl_->sphere.center.y, impl_->sphere.center.z}) add(number);
+  add(impl_->sphere.radius);
+  for (const WorldLight& light : impl_->lights) add(light.probability);
+  for (const std::vector<float>& choice : impl_->light_choices.probabilities)
+    for (const float probability : choice) add(probability);
+  return fmt::format("{:016x}", digest(bytes));
+}
+
+int World::frame_count() const { return impl_->description.frames.count(); }
+
+std::unique_ptr<Scene> World::scene(std::span<const FileFrame> frames) const {
+  std::unique_ptr<Scene> scene = impl_->scene(frames, Impl::Contents::all);
+  if (impl_->has_catchers()) scene->without_objects = impl_->scene(frames, Impl::Contents::without_objects);
+  return scene;
+}
+
+std::unique_ptr<Scene> World::Impl::scene(std::span<const FileFrame> frames, Contents contents) const {
+  auto scene = std::make_unique<Scene>();
+  scene->is_without_objects = contents == Contents::without_objects;
+  scene->file_frames.assign(frames.begin(), frames.end());
+  scene->center = sphere.center, scene->radius = sphere.radius;
+  add_shapes(*scene, contents);
+  scene->object_names = geometry.object_names();
+  scene->materials = looks.materials_in(scene->file_frames);
+  scene->material_names = looks.material_names();
+  find_bodies(*scene);
+  for (const WorldLight& light : lights) {
+    if (light.infinite) scene->infinite_lights.push_back(static_cast<int>(scene->lights.size()));
+    scene->lights.push_back({cut(light.states, scene->file_frames), light.probability,
+                             alike_in(light, scene->file_frames), light.is_delta, light.controls.photons,
+                             light.controls.caustics, light_choices.shares(light), group_of(light)});
+  }
+  scene->light_choices = light_choices.in(scene->file_frames);
+  scene->light_names = light_names.all();
+  scene->light_groups = light_groups;
+  scene->camera = cut(camera, scene->file_frames);
+  for (const FileFrame frame : frames) scene->camera_to_world.push_back(camera_to_world(description, frame));
+  scene->accel = make_accel(*scene, contents);
+  find_bodies_around_camera(*scene);
+  return scene;
+}
+
+void World::Impl::warn_of_overlaps(Diagnostics& diagnostics) const {
+  Scene bodies;
+  bodies.file_frames = light_choices.sample();
+  const std::vector<const WorldShape*> there = shapes_there(bodies.file_frames, Contents::bodies);
+  if (there.size() < 2) return;
+  bodies.shapes = shapes_in(bodies.file_frames, Contents::bodies);
+  cut_out(bodies, there);
+  bodies.materials = looks.materials_in(bodies.file_frames);
+  const std::vector<Neighbours> pairs = neighbours(bodies);
+  if (pairs.empty()) return;
+  Diagnostics ignored;
+  ParamReader reader = accel_reader(ignored);
+  bodies.accel = accel->make(reader, bodies.shapes, bodies.frames());
+  warn_of(find_overlaps(bodies, pairs), bodies, there, looks, description.frames, diagnostics);
+}
+
+std::vector<FileFrame> World::sample_frames() const { return impl_->light_choices.sample(impl_->sample_size); }
+
+const PluginUse& World::use_of(const SceneElement& element, std::span<const FileFrame> frames, Frame j) const {
+  switch (element.kind) {
+    case SceneElement::Kind::camera: break;
+    case SceneElement::Kind::material: return impl_->looks.use_of(element.index, frames[static_cast<std::size_t>(j)]);
+    case SceneElement::Kind::light: return *impl_->lights[static_cast<std::size_t>(element.index)].use;
+    case SceneElement::Kind::shape:
+      return *impl_->shapes_there({frames.begin(), frames.end()})[static_cast<std::size_t>(element.index)]->use;
+  }
+  return camera_use(impl_->description, frames[static_cast<std::size_t>(j)]);
+}
+
+CameraMatrices World::camera_matrices(FileFrame frame) const {
+  const Matrix4 placed =
+      camera_use(impl_->description, frame).camera_from_world.at(impl_->description.frames.moment(frame));
+  const int state = impl_->camera.at(frame);
+  const auto image_from_camera = impl_->camera.states[static_cast<std::size_t>(state)]->image_from_camera();
+  return {placed, image_from_camera ? std::optional(*image_from_camera * placed) : std::nullopt};
+}
+
+int World::pictures_held() const { return impl_->looks.pictures_held(); }
+
+std::size_t World::tree_bytes_at_most(std::span<const FileFrame> frames) const {
+  const auto bytes = [&](Impl::Contents contents) {
+    return impl_->accel->bytes_at_most(impl_->shapes_in({frames.begin(), frames.end()}, contents),
+                                       FrameSet::first(static_cast<int>(frames.size())));
+  };
+  return bytes(Impl::Contents::all) + (impl_->has_catchers() ? bytes(Impl::Contents::without_objects) : 0);
+}
+
+std::vector<std::string> World::explain(std::span<const FileFrame> frames) const {
+  std::vector<std::string> lines =
+      explain_sharing(impl_->description, impl_->geometry, impl_->looks, impl_->lights, impl_->camera, frames);
+  const auto worth = photon_worth(impl_->geometry, impl_->lights, impl_->light_choices, impl_->sphere);
+  for (std::string& line : explain_worth(impl_->description.frames, impl_->light_choices, worth, frames))
+    lines.push_back(std::move(line));
+  return lines;
+}
+
+}  // namespace dspm

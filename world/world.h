@@ -1,0 +1,65 @@
+// Turns the description (plain data) into objects: everything that a scene file says about geometry, looks, light and
+// camera, made once for all frames of the file; the scenes of frame intervals are cut from it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dspm/base/math/frames.h"
+#include "dspm/base/params/errors.h"
+#include "dspm/lang/description.h"
+#include "dspm/world/scene/scene.h"
+
+namespace dspm {
+
+class KeptGeometry;
+
+struct WorldOptions {
+  int width = 1, height = 1;  // of the full image, for the camera
+  std::string accel = {};     // a plugin's name; empty: what the scene says, else two-level
+  bool check_meshes = true;   // look for holes and self-intersections in meshes that bound a body
+  float film_diagonal = CameraContext().film_diagonal;
+  KeptGeometry* kept = nullptr;                      // of scenes before, and for those to come; outlives the world
+  const std::vector<FileFrame>* rendered = nullptr;  // ascending, of the file's frames; null: all
+};
+
+/// The camera's place in a frame, and what it does to points.
+struct CameraMatrices {
+  Matrix4 camera_from_world;
+  std::optional<Matrix4> image_from_world;  // see Camera::image_from_camera
+};
+
+class World {
+ public:
+  /// Reports errors and warnings to `diagnostics`; after an error, scenes cannot be made. `description` must outlive
+  /// the world.
+  World(const SceneDescription& description, const WorldOptions& options, Diagnostics& diagnostics);
+  ~World();
+
+  int frame_count() const;
+  /// Makes the scene of these frames of the file: ascending, at most kMaxFrames. The world must outlive its scenes. All
+  /// scenes of a world agree on what sampling derives from the scene (light probabilities, bounding sphere).
+  std::unique_ptr<Scene> scene(std::span<const FileFrame> frames) const;
+  /// Returns at most 16 frames, spread over the file.
+  std::vector<FileFrame> sample_frames() const;
+  /// Returns a text that is equal if sampling is the same: what the file's first frames decide of it.
+  std::string sampling() const;
+  /// Returns the directive that an element of scene(frames) comes from, in its frame j.
+  const PluginUse& use_of(const SceneElement& element, std::span<const FileFrame> frames, Frame j) const;
+  CameraMatrices camera_matrices(FileFrame frame) const;
+  /// The number of pictures in memory for textures: those of this world's scenes, and those that the world keeps.
+  int pictures_held() const;
+  /// Returns an upper estimate of the bytes that the trees of that scene take while it is made, without making it.
+  std::size_t tree_bytes_at_most(std::span<const FileFrame> frames) const;
+  /// Explains what is shared between frames and what is not, and why: one sentence per line, for --explain.
+  std::vector<std::string> explain(std::span<const FileFrame> frames) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace dspm
