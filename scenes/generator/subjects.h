@@ -14,6 +14,7 @@ void make_mirror_ball(const std::filesystem::path& directory);
 void make_glass_ball(const std::filesystem::path& directory);
 void make_agave(const std::filesystem::path& directory);
 void make_water(const std::filesystem::path& directory);
+void make_pool(const std::filesystem::path& directory);
 void make_coffee_pot(const std::filesystem::path& directory);
 void make_tableware(const std::filesystem::path& directory);
 void make_chair(const std::filesystem::path& directory);

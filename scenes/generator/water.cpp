@@ -5,10 +5,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "dspm/base/math/vec.h"
 #include "scenes/generator/mesh_file.h"
 #include "scenes/generator/subjects.h"
+#include "scenes/generator/water_body.h"
 #include "scenes/generator/water_waves.h"
 
 namespace dspm {
@@ -29,58 +31,15 @@ std::vector<float> coordinates() {
   return list;
 }
 
-/// Vertices of the upper side, row by row, and their faces.
-MeshData upper_side(const WaterWaves& waves, float time) {
+MeshData water(const WaterWaves& waves, float time) {
   const std::vector<float> at = coordinates();
-  const std::vector<WaterWaves::Point> points = waves.surface(at, at, time);
-  MeshData mesh;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const float x = at[i % at.size()], z = at[i / at.size()];
-    mesh.vertices.push_back({x - kSide / 2, kDepth + points[i].height, z - kSide / 2});
-    mesh.normals.push_back(normalize(Vec3{-points[i].slope.x, 1, -points[i].slope.y}));
+  std::vector<Vec3> points, normals;
+  for (const WaterWaves::Point& point : waves.surface(at, at, time)) {
+    const float x = at[points.size() % at.size()], z = at[points.size() / at.size()];
+    points.push_back({x - kSide / 2, kDepth + point.height, z - kSide / 2});
+    normals.push_back(normalize(Vec3{-point.slope.x, 1, -point.slope.y}));
   }
-  constexpr int kRow = kCells + 1;
-  for (int j = 0; j < kCells; ++j)
-    for (int i = 0; i < kCells; ++i) {
-      const int a = j * kRow + i, b = a + 1, c = a + kRow, d = c + 1;
-      mesh.faces.push_back({a, c, b});
-      mesh.faces.push_back({b, c, d});
-    }
-  return mesh;
-}
-
-/// The rim of the upper side, counterclockwise seen from above, from a corner on; its first vertex is not repeated.
-std::vector<int> rim() {
-  constexpr int kRow = kCells + 1;
-  std::vector<int> list;
-  for (int i = 0; i < kCells; ++i) list.push_back(i * kRow);
-  for (int i = 0; i < kCells; ++i) list.push_back(kCells * kRow + i);
-  for (int i = kCells; i > 0; --i) list.push_back(i * kRow + kCells);
-  for (int i = kCells; i > 0; --i) list.push_back(i);
-  return list;
-}
-
-int add(MeshData& mesh, const Vec3& p, const Vec3& normal) {
-  mesh.vertices.push_back(p);
-  mesh.normals.push_back(normal);
-  return static_cast<int>(mesh.vertices.size()) - 1;
-}
-
-/// Adds the sides and the bottom, which are hidden in the stone.
-void close_below(MeshData& mesh) {
-  const std::vector<int> edge = rim();
-  const Vec3 down{0, -1, 0};
-  const int middle = add(mesh, {0, -kInStone, 0}, down);
-  for (std::size_t i = 0; i < edge.size(); ++i) {
-    const Vec3 p = mesh.vertices[static_cast<std::size_t>(edge[i])];
-    const Vec3 q = mesh.vertices[static_cast<std::size_t>(edge[(i + 1) % edge.size()])];
-    const Vec3 p_low{p.x, -kInStone, p.z}, q_low{q.x, -kInStone, q.z};
-    const Vec3 side = normalize(Vec3{p.z - q.z, 0, q.x - p.x});
-    const int a = add(mesh, p, side), b = add(mesh, q, side), c = add(mesh, p_low, side), d = add(mesh, q_low, side);
-    mesh.faces.push_back({a, c, b});
-    mesh.faces.push_back({b, c, d});
-    mesh.faces.push_back({middle, add(mesh, q_low, down), add(mesh, p_low, down)});
-  }
+  return water_body(std::move(points), std::move(normals), static_cast<int>(at.size()), -kInStone);
 }
 
 }  // namespace
@@ -92,11 +51,9 @@ void make_water(const std::filesystem::path& directory) {
                          {{5.2f * kSeconds, middle, 0.03f, 1.8f},
                           {20 * kSeconds, middle, 0.014f, 0.6f},
                           {-0.8f, {0.7f * kSide, 0.72f * kSide}, 0.024f, 0.9f}});
-  for (int frame = 0; frame < kFrames; ++frame) {
-    MeshData mesh = upper_side(waves, static_cast<float>(frame) * kSeconds);
-    close_below(mesh);
-    write_ply(directory / fmt::format("water.{:02}.ply", frame + 1), mesh);
-  }
+  for (int frame = 0; frame < kFrames; ++frame)
+    write_ply(directory / fmt::format("water.{:02}.ply", frame + 1),
+              water(waves, static_cast<float>(frame) * kSeconds));
 }
 
 }  // namespace dspm
