@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "dspm/math/rng.h"
-#include "dspm/math/vec.h"
+#include "dspm/base/math/rng.h"
+#include "dspm/base/math/vec.h"
 #include "scenes/generator/mesh_file.h"
 #include "scenes/generator/subjects.h"
 #include "scenes/generator/water_body.h"

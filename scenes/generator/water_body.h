@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "dspm/math/vec.h"
+#include "dspm/base/math/vec.h"
 #include "dspm/shapes/triangle_mesh.h"
 
 namespace dspm {
