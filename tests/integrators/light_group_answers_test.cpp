@@ -131,7 +131,8 @@ constexpr const char* kPhotonIntegrators[] = {
        "integer nearest" 10 "float radius" 1)",
     R"("photonmap" "integer photons" 3000 "integer nearest" 0 "integer causticphotons" 1000 "float radius" .2
        "string emission" "power")",
-    R"("dsppm" "integer photons" 3000 "string emission" "power")"};
+    // Brighter lamps might find that camera paths that go on pay.
+    R"("dsppm" "integer photons" 3000 "string emission" "power" "string indirect" "photons")"};
 INSTANTIATE_TEST_SUITE_P(Integrators, LightGroup, testing::ValuesIn(kPhotonIntegrators));
 
 }  // namespace
