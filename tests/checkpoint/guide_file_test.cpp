@@ -13,7 +13,7 @@
 namespace dspm::test {
 namespace {
 
-constexpr const char* kIntegrator = R"("dsppm" "integer photons" 20000)";
+constexpr const char* kIntegrator = R"("dsppm" "string direct" "photons" "integer photons" 20000)";
 constexpr const char* kLamp = "LightSource \"point\" \"rgb I\" [5 5 5] \"point3 from\" [0 0 1]";
 
 /// A sun and a lamp over a wide floor of which little is seen.
@@ -104,12 +104,13 @@ TEST_F(GuideFile, IsNotForAnotherScene) {
 }
 
 TEST_F(GuideFile, IsNotForOtherSettings) {
-  for (const char* words : {R"( "integer maxdepth" 3)", R"( "float gatheralpha" .1)", R"( "float radius" .1)",
-                            R"( "string direct" "sampled")"}) {
-    Trial run(scene(kIntegrator + std::string(words)), path_);
+  for (const char* words :
+       {R"("string direct" "photons" "integer maxdepth" 3)", R"("string direct" "photons" "float gatheralpha" .1)",
+        R"("string direct" "photons" "float radius" .1)", R"("string direct" "sampled")"}) {
+    Trial run(scene(R"("dsppm" "integer photons" 20000 )" + std::string(words)), path_);
     EXPECT_THROW(run.render(), UsageError) << words;
   }
-  Trial sppm(scene(R"("sppm" "integer photons" 20000)"), path_);
+  Trial sppm(scene(R"("sppm" "string direct" "photons" "integer photons" 20000)"), path_);
   EXPECT_NO_THROW(sppm.render());
 }
 

@@ -11,6 +11,9 @@
 namespace dspm {
 namespace {
 
+// Of lamps of one place, the guide is for light that comes straight from them only if photons bring it.
+constexpr const char* kGuided = R"("dsppm" "string direct" "photons")";
+
 /// A lamp above the part of a wide floor that the camera sees, and a ball that moves.
 std::string scene(const std::string& integrator) {
   return "Frames 3\nIntegrator " + integrator + R"( "integer photons" 20000
@@ -54,7 +57,7 @@ std::vector<Rgb> rendered(const LoadedScene& loaded) {
 }
 
 TEST(ExplainPhotons, TellsWhatWasLearned) {
-  const std::string text = Explained("\"dsppm\"").all();
+  const std::string text = Explained(kGuided).all();
   EXPECT_EQ(text.find("photons: start where a guide says, learned in "), 0u) << text;
   EXPECT_NE(text.find("\nphotons of sun: "), text.npos) << text;
   EXPECT_NE(text.find("\nphotons of lamp: "), text.npos) << text;
@@ -67,12 +70,12 @@ TEST(ExplainPhotons, TellsWhatStartsByPower) {
 
 // Frame by frame, all together, or each alone: they learn from the file.
 TEST(ExplainPhotons, SaysTheSameOfAllFrames) {
-  EXPECT_EQ(Explained("\"dsppm\"").lines, Explained("\"dsppm\"", {FileFrame(0), FileFrame(1), FileFrame(2)}).lines);
-  EXPECT_EQ(Explained("\"dsppm\"").lines, Explained("\"sppm\"").lines);
+  EXPECT_EQ(Explained(kGuided).lines, Explained(kGuided, {FileFrame(0), FileFrame(1), FileFrame(2)}).lines);
+  EXPECT_EQ(Explained(kGuided).lines, Explained(R"("sppm" "string direct" "photons")").lines);
 }
 
 TEST(ExplainPhotons, ChangesNoImage) {
-  for (const char* integrator : {"\"dsppm\"", R"("dsppm" "string emission" "power")"}) {
+  for (const char* integrator : {kGuided, R"("dsppm" "string emission" "power")"}) {
     const Explained explained(integrator);
     Diagnostics diagnostics;
     const LoadedScene plain("test.dsc", scene(integrator), Choices{}, diagnostics);
@@ -84,7 +87,7 @@ TEST(ExplainPhotons, ChangesNoImage) {
 
 // As in the first iteration of a render, so learning is not done twice.
 TEST(ExplainPhotons, IsKnownToARender) {
-  const Explained explained("\"dsppm\"");
+  const Explained explained(kGuided);
   const std::size_t bytes = explained.loaded.job.settings.file->bytes();
   EXPECT_GT(bytes, 0u);
   rendered(explained.loaded);
