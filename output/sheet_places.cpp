@@ -75,8 +75,8 @@ SheetPlaces::SheetPlaces(const Job& job, std::size_t axes_in_columns) {
     const auto [row, column] = row_and_column(job, frame, in_columns);
     places_.emplace(frame, rows.at(row) * columns_ + columns.at(column));
   }
-  const auto product = [&](std::size_t from, std::size_t to) {
-    return std::accumulate(choices.begin() + static_cast<long>(from), choices.begin() + static_cast<long>(to), 1,
+  const auto product = [&counts = choices](std::size_t from, std::size_t to) {
+    return std::accumulate(counts.begin() + static_cast<long>(from), counts.begin() + static_cast<long>(to), 1,
                            std::multiplies<>());
   };
   if (across > 1 && columns_ == product(down, axes.size())) inner_ = product(down + 1, axes.size());

@@ -182,17 +182,17 @@ void LastWords::know_modules() {
 // They take the place of the C library's for modules (exported.map), as exit codes must say what happened.
 extern "C" {
 
-[[noreturn]] void _exit(int code) {
+void _exit(int code) {
   dspm::on_end_of_process("_exit() was called");
   for (;;) syscall(SYS_exit_group, code);
 }
 
-[[noreturn]] void _Exit(int code) noexcept {
+void _Exit(int code) noexcept {
   dspm::on_end_of_process("_Exit() was called");
   for (;;) syscall(SYS_exit_group, code);
 }
 
-[[noreturn]] void quick_exit(int code) noexcept {
+void quick_exit(int code) noexcept {
   dspm::on_end_of_process("quick_exit() was called");
   for (;;) syscall(SYS_exit_group, code);
 }

@@ -32,7 +32,7 @@ struct StripPlace {
 class StripKernel {
  public:
   StripKernel(const StripPlace& seen, float radius)
-      : seen_(seen), reach_(reach(radius, seen.along), reach(radius, seen.across)) {}
+      : seen_(seen), reach_{reach(radius, seen.along), reach(radius, seen.across)} {}
 
   /// All photons that count lie between low() and high(), by u.
   float low() const { return seen_.uv.x - reach_.x - most_shift(); }

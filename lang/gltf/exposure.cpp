@@ -27,8 +27,8 @@ double illuminance(const Document& document, const Poses& poses, const std::vect
     if (!use.exists()) continue;
     const Value light = lights[use.required_index(lights.size())];
     const Matrix4 world = poses.world(node, 0);
-    const Vec3 to = at - Vec3(static_cast<float>(world.m[0][3]), static_cast<float>(world.m[1][3]),
-                              static_cast<float>(world.m[2][3]));
+    const Vec3 to = at - Vec3{static_cast<float>(world.m[0][3]), static_cast<float>(world.m[1][3]),
+                              static_cast<float>(world.m[2][3])};
     const double d2 = light["type"].text("") == "directional" ? 1 : static_cast<double>(length2(to));
     sum += brightest(light) / std::max(d2, 1e-6);
   }
