@@ -55,6 +55,7 @@ class Learner {
     photon_.stream = Stream::pilot, photon_.keep_ends = true, photon_.share_paths = true;
     photon_.paths_per_trace = kPathsPerTrace;
     photon_.direct = nullptr;
+    photon_.rays_tell = false;  // a light's own photons lead to its caustics, which may be far rarer
     for (const LightChoice& choice : sample.light_choices) choices_ += !choice.frames.empty();
     camera_.sample_direct = false, camera_.direct = nullptr, camera_.share_paths = true;
   }

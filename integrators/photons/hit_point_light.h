@@ -18,10 +18,10 @@ class HitPointLight {
   HitPointLight(const Scene& scene, const HitPointSettings& settings, HitPointWriter& out)
       : scene_(scene), settings_(settings), out_(out) {}
 
-  /// Adds direct light by one shadow ray, and by another for each light that a ray tells all about. Rough lobes do not wait until they are chosen, and share the ray with glossy
-  /// ones: highlights of a coat need no path that chooses the coat. If photons bring rough lobes their light, glossy
-  /// ones get a ray once they are chosen. Once the path has left a hit point, photons there bring what glossy lobes
-  /// scatter.
+  /// Adds direct light by one shadow ray, and by another for each light that a ray tells all about. Rough lobes do not
+  /// wait until they are chosen, and share the ray with glossy ones: highlights of a coat need no path that chooses the
+  /// coat. If photons bring rough lobes their light, glossy ones get a ray once they are chosen. Once the path has left
+  /// a hit point, photons there bring what glossy lobes scatter.
   void add(const CameraPath& path, const Vertex& vertex, const Bsdf& bsdf, const LobeChoice& choice) {
     const bool at_once = settings_.sample_direct;
     const auto others = static_cast<LobeSet>(bsdf.all_lobes() & ~choice.lobes);

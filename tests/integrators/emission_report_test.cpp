@@ -125,6 +125,24 @@ TEST(EmissionReport, PhotonsActOnTheGuide) {
   EXPECT_NEAR(less_b, 0.25 * 4 / 25 + 0.75 * learned_b / weight, 0.02);
 }
 
+// One in 40,000 of the sun's paths meets the ball. Rays bring its light to the ground, but pilot paths that follow this
+// light come to where the ball is, and so does the run.
+TEST(EmissionReport, FindsTheCausticOfASunOnOpenGround) {
+  const auto all = reports(R"(
+Integrator "dsppm"
+LookAt 0 1.2 -4  0 .5 0  0 1 0
+Camera "perspective" "float fov" 35
+Film "rgb" "integer xresolution" 64 "integer yresolution" 48
+WorldBegin
+LightSource "infinite" "rgb L" [.6 .7 .9]
+LightSource "distant" "string name" "sun" "rgb L" [3 3 3] "point3 from" [2 3 -2] "point3 to" [0 0 0]
+AttributeBegin Rotate 90 1 0 0 Shape "disk" "float radius" 100 AttributeEnd
+Material "dielectric" Translate .2 .5 0 Shape "sphere" "float radius" .5
+)");
+  const EmissionReport& report = all.front();
+  EXPECT_GT(static_cast<double>(of(report, "sun").found), 0.02 * static_cast<double>(of(report, "sun").started));
+}
+
 TEST(EmissionReport, SumsUpManyLights) {
   std::string lights;
   for (int i = 1; i <= 30; ++i) lights += beam(std::to_string(i), 0, i);
