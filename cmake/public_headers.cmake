@@ -13,9 +13,9 @@ set(public_headers
   image/film/pixel_filter.h image/film/pixel_rect.h
   image/image.h
   integrators/caught_light.h integrators/counters.h integrators/dimension.h integrators/emission_report.h
-  integrators/integrator.h integrators/light_groups.h integrators/output_info.h integrators/rejections.h
-  integrators/seen_light.h integrators/statistics.h integrators/summed_iterations.h integrators/summing_integrator.h
-  integrators/tiles.h
+  integrators/integrator.h integrators/light_groups.h integrators/output_info.h integrators/pixel_frames.h
+  integrators/rejections.h integrators/seen_light.h integrators/statistics.h integrators/summed_iterations.h
+  integrators/summing_integrator.h integrators/tiles.h
   lang/file_frames.h
   lights/light.h
   materials/bsdf.h materials/interior.h materials/material.h materials/material_set.h materials/microfacet.h
@@ -40,11 +40,11 @@ set(toolkit_headers
   integrators/max_depth.h integrators/possible_state.h integrators/trace_tiles.h
   integrators/methods/estimator.h integrators/methods/photon_batches.h integrators/methods/pixel_statistics.h
   integrators/methods/progressive.h integrators/methods/progressive_settings.h
-  integrators/photons/direct_balance.h integrators/photons/emission_guide.h integrators/photons/final_gather.h
-  integrators/photons/gather.h integrators/photons/gathered_flux.h integrators/photons/hit_point.h
-  integrators/photons/kernel_size.h integrators/photons/memory_needs.h integrators/photons/photon.h
+  integrators/photons/curve_photons.h integrators/photons/direct_balance.h integrators/photons/emission_guide.h
+  integrators/photons/final_gather.h integrators/photons/gather.h integrators/photons/hit_point.h
+  integrators/photons/hit_point_tile.h integrators/photons/memory_needs.h integrators/photons/photon.h
   integrators/photons/photon_grid.h integrators/photons/photon_map.h integrators/photons/radiance_estimate.h
-  integrators/photons/surface_kernel.h
+  integrators/photons/trace_hit_points.h integrators/photons/trace_photons.h
   integrators/transport/balance.h integrators/transport/body.h integrators/transport/branching_path.h
   integrators/transport/camera_path.h integrators/transport/direct_light.h integrators/transport/joint_path.h
   integrators/transport/light_value.h integrators/transport/nesting.h integrators/transport/path_step.h

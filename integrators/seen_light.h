@@ -1,13 +1,14 @@
 // Sums of the light that camera paths saw, by pixel and frame, and of its parts by group of lights.
 #pragma once
 
+#include <cstdint>
 #include <utility>
-#include <vector>
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/system/state_stream.h"
 #include "dspm/integrators/light_groups.h"
+#include "dspm/integrators/pixel_frames.h"
 
 namespace dspm {
 
@@ -23,20 +24,19 @@ struct SeenLight {
 class SeenLightSums {
  public:
   SeenLightSums(int pixels, int frames, LightGroups groups = {}, bool has_catchers = false)
-      : frames_(frames),
-        sums_(bytes(pixels, frames) / sizeof(Rgb)),
-        caught_(has_catchers ? sums_.size() : 0),
+      : pixels_(pixels),
+        sums_(pixels, frames),
+        caught_(has_catchers ? pixels : 0, frames),
         groups_(std::move(groups)),
-        parts_(static_cast<std::size_t>(groups_.count()) * sums_.size()) {}
+        parts_(std::int64_t{groups_.count()} * pixels, frames) {}
   /// The bytes of the sums for that many pixels, frames and groups.
   static std::size_t bytes(int pixels, int frames, int groups = 0) {
-    return static_cast<std::size_t>(pixels) * static_cast<std::size_t>(frames) * sizeof(Rgb) *
-           static_cast<std::size_t>(1 + groups);
+    return PixelFrames<Rgb>::bytes(std::int64_t{pixels} * (1 + groups), frames);
   }
 
   void add(const SeenLight& light) {
-    std::vector<Rgb>& sums = light.caught ? caught_ : sums_;
-    light.frames.for_each([&](Frame f) { sums[index(light.pixel, f)] += light.radiance; });
+    PixelFrames<Rgb>& sums = light.caught ? caught_ : sums_;
+    light.frames.for_each([&](Frame f) { sums.at(light.pixel, f) += light.radiance; });
     if (has_parts() && !light.caught) add_to_part(light);
   }
   bool has_parts() const { return !parts_.empty(); }
@@ -44,39 +44,34 @@ class SeenLightSums {
   void add_to_part(const SeenLight& light) { add_to_part(light, groups_.of_light(light.light)); }
   void add_to_part(const SeenLight& light, int group) {
     if (group == LightGroups::kNone) return;
-    const std::size_t first = static_cast<std::size_t>(group) * sums_.size();
-    light.frames.for_each([&](Frame f) { parts_[first + index(light.pixel, f)] += light.radiance; });
+    light.frames.for_each([&](Frame f) { parts_.at(row(group, light.pixel), f) += light.radiance; });
   }
   /// The mean over all iterations, including those whose path saw nothing; with a `group`, the mean of that group's
   /// light.
   Rgb mean(int pixel, Frame frame, int iterations, int group = LightGroups::kNone) const {
     if (iterations == 0) return {};
-    const std::size_t at = index(pixel, frame);
-    const Rgb& sum =
-        group == LightGroups::kNone ? sums_[at] : parts_[static_cast<std::size_t>(group) * sums_.size() + at];
+    const Rgb& sum = group == LightGroups::kNone ? sums_.at(pixel, frame) : parts_.at(row(group, pixel), frame);
     return sum / static_cast<float>(iterations);
   }
   Rgb mean_caught(int pixel, Frame frame, int iterations) const {
-    return iterations == 0 ? Rgb() : caught_[index(pixel, frame)] / static_cast<float>(iterations);
+    return iterations == 0 ? Rgb() : caught_.at(pixel, frame) / static_cast<float>(iterations);
   }
   const LightGroups& groups() const { return groups_; }
   void persist(StateStream& state) {
-    state.sum(sums_);
-    if (!caught_.empty()) state.sum(caught_);
-    if (has_parts()) state.sum(parts_);
+    state.sum(sums_.values());
+    if (!caught_.empty()) state.sum(caught_.values());
+    if (has_parts()) state.sum(parts_.values());
   }
-  std::size_t bytes() const { return (sums_.capacity() + caught_.capacity() + parts_.capacity()) * sizeof(Rgb); }
+  std::size_t bytes() const { return sums_.bytes() + caught_.bytes() + parts_.bytes(); }
 
  private:
-  std::size_t index(int pixel, Frame frame) const {
-    return static_cast<std::size_t>(pixel) * static_cast<std::size_t>(frames_) + static_cast<std::size_t>(frame);
-  }
+  std::int64_t row(int group, int pixel) const { return group * pixels_ + pixel; }
 
-  int frames_;
-  std::vector<Rgb> sums_;
-  std::vector<Rgb> caught_;  // by pixel and frame; empty: the scene has no catchers
+  std::int64_t pixels_;
+  PixelFrames<Rgb> sums_;
+  PixelFrames<Rgb> caught_;  // empty: the scene has no catchers
   LightGroups groups_;
-  std::vector<Rgb> parts_;  // by group, pixel and frame
+  PixelFrames<Rgb> parts_;  // group by group
 };
 
 }  // namespace dspm

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/median.h"
 #include "dspm/base/params/params.h"
 #include "dspm/base/system/readable.h"
 #include "dspm/integrators/beside/error_estimate.h"
@@ -60,8 +61,7 @@ CutPart part_cut(const std::vector<CutLight>& regions, const PixelRect& crop, do
     const auto sums_of = [&](int r) { return regions[static_cast<std::size_t>(r) * frames + frame]; };
     std::vector<float> sums;
     for (int r = 0; r < count; ++r) sums.push_back(static_cast<float>(sum(sums_of(r).arrived) + sum(sums_of(r).cut)));
-    std::nth_element(sums.begin(), sums.begin() + count / 2, sums.end());
-    const float faint = kFaint * sums[static_cast<std::size_t>(count / 2)] / 2;
+    const float faint = kFaint * median(sums) / 2;
     CutPart part;
     double cut = 0, all = 0, most = 0;
     for (int r = 0; r < count; ++r) {

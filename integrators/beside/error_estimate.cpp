@@ -14,6 +14,7 @@
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/median.h"
 #include "dspm/image/image.h"
 #include "dspm/integrators/beside/wrapping_integrator.h"
 #include "dspm/integrators/possible_state.h"
@@ -88,20 +89,13 @@ std::optional<std::size_t> slot_of(int iterations, int marks_per_octave) {
   return static_cast<std::size_t>((iterations - octave) * kSlots / octave);
 }
 
-double median(std::vector<float>& values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return static_cast<double>(*middle);
-}
-
 double error_of(std::span<const float> half, std::span<const float> all) {
   std::vector<float> relative;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const float change = std::abs(all[i] - half[i]);
     if (std::isfinite(change) && change > kConstant * std::abs(all[i])) relative.push_back(change / std::abs(all[i]));
   }
-  return median(relative);
+  return static_cast<double>(median(relative));
 }
 
 /// Returns the second brightest among a part and those around it. At the edges of what is bright, a pixel that hardly
@@ -123,7 +117,7 @@ float around(std::span<const float> peaks, int columns, int part) {
 std::uint64_t lone_paths(std::span<const float> half, std::span<const float> all, int columns, double error) {
   const double most = std::max(kLoneChange, kUnusual * error);
   std::vector<float> sorted(all.begin(), all.end());
-  const float usual = static_cast<float>(median(sorted));
+  const float usual = median(sorted);
   std::uint64_t count = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const double change = static_cast<double>(std::abs(all[i] - half[i]));

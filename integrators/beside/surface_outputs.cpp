@@ -13,6 +13,7 @@
 #include "dspm/integrators/beside/majority.h"
 #include "dspm/integrators/beside/make_beside.h"
 #include "dspm/integrators/beside/wrapping_integrator.h"
+#include "dspm/integrators/pixel_frames.h"
 #include "dspm/integrators/possible_state.h"
 #include "dspm/integrators/tiles.h"
 #include "dspm/integrators/transport/camera_path.h"
@@ -45,14 +46,14 @@ Rgb albedo(const Bsdf& bsdf, const Vertex& vertex, const CameraPath& path) {
   return sum / kSamples;
 }
 
-/// The values of a kind, by pixel and frame: sums, votes or ranks.
+/// The values of a kind: sums, votes or ranks.
 struct Layer {
   Kind kind;
   std::vector<OutputInfo> outputs;
   std::vector<float> ids;  // of things
-  std::vector<Rgb> sums;
-  std::vector<Majority> votes;
-  std::vector<CoverageRanks> ranks;
+  PixelFrames<Rgb> sums;
+  PixelFrames<Majority> votes;
+  PixelFrames<CoverageRanks> ranks;
 
   /// Returns its position among the outputs, or outputs.size() if there is none of that name.
   std::size_t find(const std::string& name) const {
@@ -73,16 +74,15 @@ class SurfaceOutputs final : public WrappingIntegrator {
                  const RenderSettings& render)
       : WrappingIntegrator(std::move(inner)),
         render_(render),
-        frames_(static_cast<std::size_t>(scene.frame_count())),
-        bytes_(bytes(kinds, render.crop.count(), scene.frame_count())) {
-    const std::size_t size = static_cast<std::size_t>(render.crop.count()) * frames_;
-    met_.resize(size);
+        bytes_(bytes(kinds, render.crop.count(), scene.frame_count())),
+        met_(render.crop.count(), scene.frame_count()) {
+    const int pixels = render.crop.count(), frames = scene.frame_count();
     looks_on_ = std::any_of(kinds.begin(), kinds.end(), is_for_denoising);
     for (const Kind kind : kinds) {
       Layer& layer = layers_.emplace_back(Layer{kind, outputs_of(kind), {}, {}, {}, {}});
-      if (is_mean(kind)) layer.sums.resize(size);
-      if (is_id(kind)) layer.votes.resize(size);
-      if (is_crypto(kind)) layer.ranks.resize(size);
+      if (is_mean(kind)) layer.sums = {pixels, frames};
+      if (is_id(kind)) layer.votes = {pixels, frames};
+      if (is_crypto(kind)) layer.ranks = {pixels, frames};
       if (is_id(kind) || is_crypto(kind)) name(layer, is_of_objects(kind) ? scene.object_names : scene.material_names);
     }
   }
@@ -113,7 +113,7 @@ class SurfaceOutputs final : public WrappingIntegrator {
     for (const Layer& layer : layers_) {
       const std::size_t number = layer.find(output);
       if (number == layer.outputs.size()) continue;
-      return image_of([&](int pixel) { return value(layer, number, index(pixel, frame)); });
+      return image_of([&](int pixel) { return value(layer, number, pixel, frame); });
     }
     return inner_->estimate(frame, output);
   }
@@ -128,8 +128,9 @@ class SurfaceOutputs final : public WrappingIntegrator {
   bool persist(StateStream& state) override {
     if (!inner_->persist(state)) return false;
     state.sum(step_.seconds);
-    state.sum(met_);
-    for (Layer& layer : layers_) state.sum(layer.sums), state.sum(layer.votes), state.sum(layer.ranks);
+    state.sum(met_.values());
+    for (Layer& layer : layers_)
+      state.sum(layer.sums.values()), state.sum(layer.votes.values()), state.sum(layer.ranks.values());
     state.sum(iterations_);
     expect_iterations(iterations_);
     return true;
@@ -180,7 +181,7 @@ class SurfaceOutputs final : public WrappingIntegrator {
   void add_for_denoising(int pixel, FrameSet frames, const Rgb& normal, std::optional<float> depth, const Rgb& albedo) {
     for (Layer& layer : layers_) {
       const auto sum = [&](const Rgb& value) {
-        if (is_finite(value)) frames.for_each([&](Frame f) { layer.sums[index(pixel, f)] += value; });
+        if (is_finite(value)) frames.for_each([&](Frame f) { layer.sums.at(pixel, f) += value; });
       };
       switch (layer.kind) {
         case Kind::denoising_normal: sum(normal); break;
@@ -194,10 +195,10 @@ class SurfaceOutputs final : public WrappingIntegrator {
   }
 
   void add(const Scene& scene, const CameraPath& path, const Vertex& vertex) {
-    vertex.frames.for_each([&](Frame f) { ++met_[index(path.pixel, f)]; });
+    vertex.frames.for_each([&](Frame f) { ++met_.at(path.pixel, f); });
     for (Layer& layer : layers_) {
       const auto sum = [&](FrameSet frames, const Rgb& value) {
-        if (is_finite(value)) frames.for_each([&](Frame f) { layer.sums[index(path.pixel, f)] += value; });
+        if (is_finite(value)) frames.for_each([&](Frame f) { layer.sums.at(path.pixel, f) += value; });
       };
       switch (layer.kind) {
         case Kind::normal: sum(vertex.frames, normal(scene, vertex)); break;
@@ -219,11 +220,10 @@ class SurfaceOutputs final : public WrappingIntegrator {
   template <class Candidate>
   void vote(int pixel, FrameSet frames, Candidate&& candidate) {
     for (Layer& layer : layers_) {
-      if (is_id(layer.kind))
-        frames.for_each([&](Frame f) { layer.votes[index(pixel, f)].vote(candidate(layer.kind)); });
+      if (is_id(layer.kind)) frames.for_each([&](Frame f) { layer.votes.at(pixel, f).vote(candidate(layer.kind)); });
       if (!is_crypto(layer.kind)) continue;
       if (const int thing = candidate(layer.kind); thing != kNone)
-        frames.for_each([&](Frame f) { layer.ranks[index(pixel, f)].add(thing); });
+        frames.for_each([&](Frame f) { layer.ranks.at(pixel, f).add(thing); });
     }
   }
 
@@ -253,21 +253,21 @@ class SurfaceOutputs final : public WrappingIntegrator {
   }
 
   /// Returns the value of an output of the layer.
-  Rgb value(const Layer& layer, std::size_t number, std::size_t at) const {
-    if (layer.kind == Kind::alpha) return Rgb(share(met_[at]));
-    if (layer.kind == Kind::denoising_depth) return depth_for_denoising(layer.sums[at]);
+  Rgb value(const Layer& layer, std::size_t number, int pixel, Frame frame) const {
+    if (layer.kind == Kind::alpha) return Rgb(share(met_.at(pixel, frame)));
+    if (layer.kind == Kind::denoising_depth) return depth_for_denoising(layer.sums.at(pixel, frame));
     if (layer.kind == Kind::catcher || is_for_denoising(layer.kind))
-      return layer.sums[at] / static_cast<float>(iterations_);
+      return layer.sums.at(pixel, frame) / static_cast<float>(iterations_);
     if (is_crypto(layer.kind)) {
-      const CoverageRanks::Share of = layer.ranks[at].sorted()[number];
+      const CoverageRanks::Share of = layer.ranks.at(pixel, frame).sorted()[number];
       return of.paths == 0 ? Rgb() : Rgb(layer.ids[static_cast<std::size_t>(of.thing)], share(of.paths), 0);
     }
     if (is_id(layer.kind)) {
-      const auto choice = static_cast<std::size_t>(layer.votes[at].choice);
+      const auto choice = static_cast<std::size_t>(layer.votes.at(pixel, frame).choice);
       return choice < layer.ids.size() ? Rgb(layer.ids[choice]) : Rgb();
     }
-    if (met_[at] == 0) return layer.kind == Kind::depth ? Rgb(kNoDepth) : Rgb();
-    return layer.sums[at] / static_cast<float>(met_[at]);
+    if (met_.at(pixel, frame) == 0) return layer.kind == Kind::depth ? Rgb(kNoDepth) : Rgb();
+    return layer.sums.at(pixel, frame) / static_cast<float>(met_.at(pixel, frame));
   }
   /// Takes the sum of depths, and their number.
   static Rgb depth_for_denoising(const Rgb& sum) { return Rgb(sum.g > 0 ? sum.r / sum.g : kNoDepth); }
@@ -282,14 +282,10 @@ class SurfaceOutputs final : public WrappingIntegrator {
     return image;
   }
 
-  std::size_t index(int pixel, Frame frame) const {
-    return static_cast<std::size_t>(pixel) * frames_ + static_cast<std::size_t>(frame);
-  }
-
   RenderSettings render_;
-  std::size_t frames_, bytes_;
+  std::size_t bytes_;
   bool looks_on_;                   // for surfaces behind smooth ones
-  std::vector<std::uint32_t> met_;  // camera paths that met a surface, by pixel and frame
+  PixelFrames<std::uint32_t> met_;  // camera paths that met a surface
   std::vector<Layer> layers_;
   int iterations_ = 0;
   StepTime step_{"surface outputs"};

@@ -6,8 +6,8 @@
 #include "dspm/base/params/params.h"
 #include "dspm/integrators/guiding/file_sample.h"
 #include "dspm/integrators/integrator.h"
-#include "dspm/integrators/photons/hit_point.h"
-#include "dspm/integrators/photons/photon.h"
+#include "dspm/integrators/photons/trace_hit_points.h"
+#include "dspm/integrators/photons/trace_photons.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {

@@ -7,6 +7,7 @@
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/integrators/guiding/pilot_pixels.h"
+#include "dspm/integrators/photons/direct_balance.h"
 
 namespace dspm {
 namespace {

@@ -3,7 +3,8 @@
 
 #include "dspm/base/system/state_stream.h"
 #include "dspm/integrators/integrator.h"
-#include "dspm/integrators/photons/hit_point.h"
+#include "dspm/integrators/photons/emission_guide.h"
+#include "dspm/integrators/photons/trace_hit_points.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {

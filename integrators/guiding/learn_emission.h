@@ -4,8 +4,8 @@
 #include "dspm/integrators/guiding/pilot_paths.h"
 #include "dspm/integrators/integrator.h"
 #include "dspm/integrators/photons/emission_guide.h"
-#include "dspm/integrators/photons/hit_point.h"
-#include "dspm/integrators/photons/photon.h"
+#include "dspm/integrators/photons/trace_hit_points.h"
+#include "dspm/integrators/photons/trace_photons.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {

@@ -10,6 +10,7 @@
 #include "dspm/base/system/parallel.h"
 #include "dspm/integrators/guiding/pilot_pixels.h"
 #include "dspm/integrators/guiding/visible_points.h"
+#include "dspm/integrators/photons/direct_balance.h"
 
 namespace dspm {
 namespace {

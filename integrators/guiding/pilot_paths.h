@@ -7,7 +7,7 @@
 #include "dspm/base/grid/buffer.h"
 #include "dspm/integrators/emission_report.h"
 #include "dspm/integrators/photons/emission_guide.h"
-#include "dspm/integrators/photons/photon.h"
+#include "dspm/integrators/photons/trace_photons.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {

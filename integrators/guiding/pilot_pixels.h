@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/median.h"
 #include "dspm/integrators/integrator.h"
-#include "dspm/integrators/photons/hit_point.h"
+#include "dspm/integrators/photons/trace_hit_points.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {
@@ -57,10 +58,7 @@ inline float median_radius(const std::vector<HitPointTile>& tiles) {
   std::vector<float> radii;
   for (const HitPointTile& tile : tiles)
     for (const HitPoint& hit : tile.hit_points) radii.push_back(hit.radius);
-  if (radii.empty()) return 0;
-  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
-  std::nth_element(radii.begin(), middle, radii.end());
-  return *middle;
+  return median(radii);
 }
 
 }  // namespace dspm

@@ -8,10 +8,10 @@
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/grid/point_grid.h"
 #include "dspm/base/math/frames.h"
-#include "dspm/integrators/photons/hit_point.h"
-#include "dspm/integrators/photons/kernel_size.h"
+#include "dspm/integrators/photons/curve_photons.h"
+#include "dspm/integrators/photons/gather.h"
+#include "dspm/integrators/photons/hit_point_tile.h"
 #include "dspm/integrators/photons/photon.h"
-#include "dspm/integrators/photons/surface_kernel.h"
 
 namespace dspm {
 

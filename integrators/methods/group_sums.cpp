@@ -4,8 +4,7 @@
 #include <array>
 
 #include "dspm/base/system/parallel.h"
-#include "dspm/integrators/photons/gathered_flux.h"
-#include "dspm/integrators/photons/kernel_size.h"
+#include "dspm/integrators/photons/gather.h"
 
 namespace dspm {
 
@@ -15,7 +14,7 @@ void GroupSums::see(const std::vector<HitPointTile>& tiles) {
       const int group = groups_.of_light(light.light);
       if (group == LightGroups::kNone || light.caught) continue;
       light.frames.for_each(
-          [&](Frame f) { sum(group, light.pixel, f) += light.radiance * static_cast<float>(of_.photons); });
+          [&](Frame f) { sums_.at(row(group, light.pixel), f) += light.radiance * static_cast<float>(of_.photons); });
     }
   });
 }
@@ -75,7 +74,7 @@ void GroupSums::gather_at(const HitPoint& hit, const HitPointTile& tile, const P
     flux.end();
     for_each_strand(tile.strands.of(hit.strands), hit.frames, [&](FrameSet frames, const Rgb& weight) {
       frames.for_each([&](Frame f) {
-        sum(group, hit.pixel, f) +=
+        sums_.at(row(group, hit.pixel), f) +=
             flux.in(f) * (hit.throughput * weight / kernel_size(within2[static_cast<std::size_t>(f)]));
       });
     });
@@ -84,7 +83,7 @@ void GroupSums::gather_at(const HitPoint& hit, const HitPointTile& tile, const P
 
 Rgb GroupSums::radiance(int group, int pixel, Frame frame, int iterations) const {
   if (iterations == 0) return {};
-  return sums_[index(group, pixel, frame)] * static_cast<float>(1 / static_cast<double>(iterations * of_.photons));
+  return sums_.at(row(group, pixel), frame) * static_cast<float>(1 / static_cast<double>(iterations * of_.photons));
 }
 
 }  // namespace dspm

@@ -4,6 +4,7 @@
 // whatever the radii follow: groups add up to the image. What shadow catchers catch is in none of them.
 #pragma once
 
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "dspm/integrators/methods/estimator.h"
 #include "dspm/integrators/photons/hidden_light.h"
 #include "dspm/integrators/photons/photon_map.h"
+#include "dspm/integrators/pixel_frames.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {
@@ -20,9 +22,9 @@ namespace dspm {
 class GroupSums {
  public:
   GroupSums(LightGroups groups, const EstimatorSettings& of)
-      : groups_(std::move(groups)), of_(of), sums_(bytes(groups_, of) / sizeof(Rgb)) {}
+      : groups_(std::move(groups)), of_(of), sums_(std::int64_t{groups_.count()} * of.pixels, of.frames) {}
   static std::size_t bytes(const LightGroups& groups, const EstimatorSettings& of) {
-    return static_cast<std::size_t>(groups.count()) * of.pixel_frames() * sizeof(Rgb);
+    return PixelFrames<Rgb>::bytes(std::int64_t{groups.count()} * of.pixels, of.frames);
   }
 
   /// Adds light that needs no photons.
@@ -32,7 +34,7 @@ class GroupSums {
   /// light.
   void gather(const std::vector<HitPointTile>& tiles, const PhotonMap& map, const PixelEstimator& whole,
               const HiddenPhotons& hidden, const IterationRadius& hidden_radius);
-  void persist(StateStream& state) { state.sum(sums_); }
+  void persist(StateStream& state) { state.sum(sums_.values()); }
 
   const LightGroups& groups() const { return groups_; }
   Rgb radiance(int group, int pixel, Frame frame, int iterations) const;
@@ -41,15 +43,11 @@ class GroupSums {
   template <class Radius2, class Gather>
   void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, float widest2, Radius2&& radius2,
                  Gather&& gather);
-  Rgb& sum(int group, int pixel, Frame frame) { return sums_[index(group, pixel, frame)]; }
-  std::size_t index(int group, int pixel, Frame frame) const {
-    return static_cast<std::size_t>(group) * of_.pixel_frames() +
-           static_cast<std::size_t>(pixel) * static_cast<std::size_t>(of_.frames) + static_cast<std::size_t>(frame);
-  }
+  std::int64_t row(int group, int pixel) const { return std::int64_t{group} * of_.pixels + pixel; }
 
   LightGroups groups_;
   EstimatorSettings of_;
-  std::vector<Rgb> sums_;  // by group, pixel and frame: radiance times photon paths
+  PixelFrames<Rgb> sums_;  // group by group: radiance times photon paths
 };
 
 }  // namespace dspm

@@ -2,6 +2,7 @@
 
 #include "dspm/integrators/caught_light.h"
 #include "dspm/integrators/methods/group_sums.h"
+#include "dspm/integrators/photons/emission_guide.h"
 #include "dspm/integrators/photons/found_photons.h"
 #include "dspm/integrators/photons/memory_needs.h"
 #include "dspm/world/scene/scene.h"

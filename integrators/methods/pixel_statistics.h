@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "dspm/base/colour/rgb.h"
-#include "dspm/integrators/photons/kernel_size.h"
+#include "dspm/integrators/photons/hit_point.h"
 
 namespace dspm {
 

@@ -13,6 +13,7 @@
 #include "dspm/integrators/guiding/learn_indirect.h"
 #include "dspm/integrators/methods/group_sums.h"
 #include "dspm/integrators/methods/photon_batches.h"
+#include "dspm/integrators/photons/direct_balance.h"
 #include "dspm/integrators/photons/found_photons.h"
 #include "dspm/integrators/photons/hidden_light.h"
 #include "dspm/integrators/photons/typical_hit_point.h"

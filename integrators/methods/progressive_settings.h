@@ -3,7 +3,8 @@
 
 #include "dspm/base/params/params.h"
 #include "dspm/integrators/methods/estimator.h"
-#include "dspm/integrators/photons/photon.h"
+#include "dspm/integrators/photons/trace_hit_points.h"
+#include "dspm/integrators/photons/trace_photons.h"
 
 namespace dspm {
 

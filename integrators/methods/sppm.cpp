@@ -15,7 +15,6 @@
 #include "dspm/base/params/params.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/integrators/methods/progressive.h"
-#include "dspm/integrators/photons/kernel_size.h"
 #include "dspm/integrators/possible_state.h"
 #include "dspm/world/scene/scene.h"
 

@@ -12,6 +12,12 @@
 
 namespace dspm {
 
+/// A photon on a surface that turns to each ray. Its flux includes no cosines.
+struct CurvePhoton : Photon {
+  StripPlace at;
+  int bounces;  // scatterings before
+};
+
 class CurvePhotons {
  public:
   CurvePhotons() = default;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "dspm/base/math/sampling.h"
-#include "dspm/integrators/photons/kernel_size.h"
+#include "dspm/integrators/photons/hit_point.h"
 
 namespace dspm {
 namespace {

@@ -11,6 +11,7 @@
 #include "dspm/base/system/state_stream.h"
 #include "dspm/integrators/output_info.h"
 #include "dspm/integrators/photons/gather.h"
+#include "dspm/integrators/pixel_frames.h"
 
 namespace dspm {
 
@@ -24,15 +25,14 @@ class FoundPhotons {
  public:
   /// Keeps nothing unless one of the outputs is among `asked`.
   FoundPhotons(int pixels, int frames, const std::vector<std::string>& asked)
-      : frames_(static_cast<std::size_t>(frames)),
-        counts_(std::find(asked.begin(), asked.end(), kPhotonsOutput.name) != asked.end()),
-        pixels_(bytes(pixels, frames, asked) / sizeof(Pixel)) {}
+      : counts_(std::find(asked.begin(), asked.end(), kPhotonsOutput.name) != asked.end()),
+        pixels_(bytes(pixels, frames, asked) > 0 ? pixels : 0, frames) {}
   static std::size_t bytes(int pixels, int frames, const std::vector<std::string>& asked) {
     const auto is_ours = [](const std::string& name) {
       return name == kPhotonsOutput.name || name == kRadiusOutput.name;
     };
     if (std::none_of(asked.begin(), asked.end(), is_ours)) return 0;
-    return static_cast<std::size_t>(pixels) * static_cast<std::size_t>(frames) * sizeof(Pixel);
+    return PixelFrames<Pixel>::bytes(pixels, frames);
   }
   bool are_wanted() const { return !pixels_.empty(); }
 
@@ -44,22 +44,22 @@ class FoundPhotons {
     std::array<float, kMaxFrames> within2;
     hit.frames.for_each([&](Frame f) {
       within2[static_cast<std::size_t>(f)] = radius2(f);
-      pixels_[index(hit.pixel, f)].initial_radius = hit.radius;
+      pixels_.at(hit.pixel, f).initial_radius = hit.radius;
     });
     if (!counts_) return;
     GatherCounts not_counted;
     gather(hit, tile.scattering_of(hit), map, widest2, not_counted,
            [&](const Strand*, FrameSet frames, RgbLanes, float distance2) {
              frames.for_each([&](Frame f) {
-               pixels_[index(hit.pixel, f)].photons += distance2 <= within2[static_cast<std::size_t>(f)];
+               pixels_.at(hit.pixel, f).photons += distance2 <= within2[static_cast<std::size_t>(f)];
              });
            });
   }
 
-  float photons(int pixel, Frame frame) const { return static_cast<float>(pixels_[index(pixel, frame)].photons); }
+  float photons(int pixel, Frame frame) const { return static_cast<float>(pixels_.at(pixel, frame).photons); }
   /// The radius before any shrinking.
-  float initial_radius(int pixel, Frame frame) const { return pixels_[index(pixel, frame)].initial_radius; }
-  void persist(StateStream& state) { state.sum(pixels_); }
+  float initial_radius(int pixel, Frame frame) const { return pixels_.at(pixel, frame).initial_radius; }
+  void persist(StateStream& state) { state.sum(pixels_.values()); }
 
  private:
   struct Pixel {
@@ -72,13 +72,9 @@ class FoundPhotons {
       return *this;
     }
   };
-  std::size_t index(int pixel, Frame frame) const {
-    return static_cast<std::size_t>(pixel) * frames_ + static_cast<std::size_t>(frame);
-  }
 
-  std::size_t frames_;
-  bool counts_;                // photons; else only the radius is kept
-  std::vector<Pixel> pixels_;  // the frames of a pixel lie together
+  bool counts_;  // photons; else only the radius is kept
+  PixelFrames<Pixel> pixels_;
 };
 
 }  // namespace dspm

@@ -1,20 +1,63 @@
-// The contribution of one photon to one hit point: the inner loop of every photon gather. It tests distance (in the
-// grid), frames, the side of the surface, and then the scattering function.
+// Gathers photons at hit points: the inner loops of every photon map integrator. A photon that passes the tests of
+// distance (in the grid), frames, and the side of the surface gives its flux times f. Hit points and photons are values
+// and no pixel is in two tiles, so tiles may be gathered anywhere, in any order. [WG12 4.3]
 #pragma once
 
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/colour/rgb_lanes.h"
 #include "dspm/base/math/frames.h"
-#include "dspm/integrators/photons/hit_point.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/base/system/parallel.h"
+#include "dspm/integrators/photons/hit_point_tile.h"
 #include "dspm/integrators/photons/photon_map.h"
-#include "dspm/integrators/photons/surface_kernel.h"
 #include "dspm/integrators/transport/light_value.h"
 
 namespace dspm {
+
+/// Counts photons that arrive at the front of a surface. Those that arrive at its back do not count, unless its lobes
+/// transmit.
+class SurfaceSide {
+ public:
+  explicit SurfaceSide(const HitPoint& hit) : normal_(_mm_setr_ps(hit.ng.x, hit.ng.y, hit.ng.z, 0)) {}
+  bool counts(const GatheredPhoton& photon) const {
+    return _mm_cvtss_f32(_mm_dp_ps(photon.wi_lanes(), normal_, 0x71)) > 0;
+  }
+
+ private:
+  __m128 normal_;
+};
+
+/// Counts photons of both sides of a surface that transmits, but not those of another surface close by, such as the
+/// other side of a thin slab or the next of two sheets: they must have come to the same side, as its outward normal
+/// tells the two apart, of the same shape or of one that goes on in the same plane.
+class SameSurface {
+ public:
+  /// `ng` is on the side of `face`, `p_error` is the error of p, and photons are sought within `radius`.
+  SameSurface(const Vec3& p, const Vec3& ng, const Vec3& p_error, ShapeFace face, float radius)
+      : p_(p), ng_(ng), face_(face), rounding_(2 * dot(abs(ng), p_error)), flat_(kFlat * radius + rounding_) {}
+  SameSurface(const HitPoint& hit, const Scattering& scattering, float radius)
+      : SameSurface(hit.p, hit.ng, scattering.p_error, hit.face, radius) {}
+
+  /// Returns whether a photon at p that has come to `face` from wi counts.
+  bool counts(const Vec3& p, const Vec3& wi, ShapeFace face) const {
+    const float off = std::abs(dot(p - p_, ng_));
+    if (off <= rounding_) return true;  // whichever way the parts of a plane are wound
+    const bool from_here = dot(wi, ng_) > 0, same_face = face.is_inner() == face_.is_inner();
+    return from_here == same_face && (face.shape() == face_.shape() || off <= flat_);
+  }
+
+ private:
+  static constexpr float kFlat = 1e-3f;  // of the radius: how far apart the shapes of one plane may be
+
+  Vec3 p_, ng_;
+  ShapeFace face_;
+  float rounding_, flat_;
+};
 
 /// The work of gathers: points, photons found, and distance tests.
 struct GatherCounts {
@@ -71,12 +114,62 @@ void gather(const HitPoint& hit, const Scattering* scattering, const PhotonMap& 
                   });
 }
 
-/// Adds the counts of all tiles to `statistics`.
-inline void account(const std::vector<GatherCounts>& tiles, Statistics& statistics) {
-  for (const GatherCounts& c : tiles) {
-    statistics.gathers += c.gathers, statistics.photon_tests += c.tests, statistics.photons_found += c.found;
-    statistics.rejections += c.rejections;
-  }
+/// Calls fn(tile, its counts) for each of a batch of tiles, in parallel.
+template <class Fn>
+void gather(std::span<const HitPointTile> tiles, std::span<GatherCounts> counts, Fn&& fn) {
+  parallel_for(static_cast<std::int64_t>(tiles.size()), 1,
+               [&](std::int64_t t) { fn(tiles[static_cast<std::size_t>(t)], counts[static_cast<std::size_t>(t)]); });
 }
+
+/// The flux that photons bring to a hit point: one sum for photons of all its frames, and sums frame by frame for the
+/// rest.
+class GatheredFlux {
+ public:
+  GatheredFlux(const HitPoint& hit, const PhotonMap& map) : frames_(hit.frames), map_(map) {}
+
+  /// Adds what gather() reports of a photon; `frames` may be fewer.
+  void add(const Strand* strands, FrameSet frames, RgbLanes flux) {
+    if (strands == nullptr && frames == frames_)
+      shared_ += flux;
+    else if (strands == nullptr)
+      add_own(frames, flux);
+    else if (RgbLanes* sum = frames == frames_ && map_.is_of_light(strands) ? lists_.of(strands) : nullptr)
+      *sum += flux;
+    else
+      add_strands(strands, frames, flux);
+  }
+  /// Call this after the last photon and before reading the sums.
+  void end() {
+    lists_.for_each([&](const Strand* list, RgbLanes flux) { add_strands(list, frames_, flux); });
+  }
+
+  Rgb shared() const { return shared_.rgb(); }
+  /// The frames that received more than shared().
+  FrameSet with_own() const { return with_own_; }
+  Rgb own(Frame frame) const { return RgbLanes(own_[frame]).rgb(); }
+  Rgb in(Frame frame) const { return with_own_.contains(frame) ? shared() + own(frame) : shared(); }
+
+ private:
+  void add_own(FrameSet frames, RgbLanes flux) {
+    (frames - with_own_).for_each([&](Frame f) { own_[f] = _mm_setzero_ps(); });
+    with_own_ |= frames;
+    frames.for_each([&](Frame f) { own_[f] = _mm_add_ps(own_[f], flux.lanes); });
+  }
+  void add_strands(const Strand* strands, FrameSet frames, RgbLanes flux) {
+    for_each_strand(strands, frames, [&](FrameSet alike, const Rgb& weight) {
+      add_own(alike, RgbLanes(_mm_mul_ps(flux.lanes, RgbLanes(weight).lanes)));
+    });
+  }
+
+  FrameSet frames_;
+  const PhotonMap& map_;
+  RgbLanes shared_;
+  FewListSums<RgbLanes> lists_;
+  FrameSet with_own_;
+  __m128 own_[kMaxFrames];  // valid only for the frames in with_own_
+};
+
+/// Adds the counts of all tiles to `statistics`.
+void account(std::span<const GatherCounts> tiles, Statistics& statistics);
 
 }  // namespace dspm

@@ -10,7 +10,6 @@
 #include "dspm/base/math/frames.h"
 #include "dspm/integrators/photons/curve_photons.h"
 #include "dspm/integrators/photons/gather.h"
-#include "dspm/integrators/photons/kernel_size.h"
 #include "dspm/integrators/transport/light_value.h"
 
 namespace dspm {
@@ -23,10 +22,7 @@ struct HiddenPhotons {
   explicit HiddenPhotons(const LightGroups& groups) : on_surfaces(groups), on_curves(groups) {}
 
   /// Builds both maps as PhotonMap::build does.
-  void build(const std::vector<PhotonTrace>& traces, int frames, float cell_size) {
-    on_surfaces.build(traces, frames, cell_size, &PhotonTrace::hidden);
-    on_curves.build(traces);
-  }
+  void build(const std::vector<PhotonTrace>& traces, int frames, float cell_size);
   std::size_t bytes() const { return on_surfaces.bytes() + on_curves.bytes(); }
 };
 

@@ -3,8 +3,9 @@
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
-#include "dspm/integrators/photons/hit_point.h"
+#include "dspm/integrators/photons/direct_balance.h"
 #include "dspm/integrators/photons/hit_point_writer.h"
+#include "dspm/integrators/photons/trace_hit_points.h"
 #include "dspm/integrators/transport/balance.h"
 #include "dspm/integrators/transport/camera_path.h"
 #include "dspm/integrators/transport/direct_light.h"

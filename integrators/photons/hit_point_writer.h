@@ -9,7 +9,7 @@
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/vec.h"
-#include "dspm/integrators/photons/hit_point.h"
+#include "dspm/integrators/photons/trace_hit_points.h"
 #include "dspm/integrators/transport/camera_path.h"
 #include "dspm/integrators/transport/joint_path.h"
 #include "dspm/integrators/transport/light_value.h"

@@ -4,7 +4,7 @@
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/integrators/counters.h"
-#include "dspm/integrators/photons/photon.h"
+#include "dspm/integrators/photons/trace_photons.h"
 #include "dspm/integrators/transport/strand.h"
 
 namespace dspm {

@@ -1,39 +1,16 @@
-// Photons sorted by position, ready for gathering.
+// Photons, or other values with a place, sorted by position, ready for gathering.
 #pragma once
 
-#include <vector>
+#include <cstdint>
 
-#include "dspm/base/colour/rgb.h"
-#include "dspm/base/colour/rgb_lanes.h"
 #include "dspm/base/grid/buffer.h"
 #include "dspm/base/grid/point_grid.h"
-#include "dspm/base/math/frames.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/integrators/light_groups.h"
-#include "dspm/integrators/photons/photon.h"
 #include "dspm/integrators/transport/shape_face.h"
 
 namespace dspm {
-
-/// The data of a photon that a gather needs apart from its position: half a cache line. A read of three lanes loads
-/// four; the fourth, bytes of the next member, is ignored.
-struct alignas(32) GatheredPhoton {
-  Vec3 wi;
-  Rgb flux;
-  FrameSet frames;
-
-  __m128 wi_lanes() const { return _mm_load_ps(&wi.x); }
-  RgbLanes flux_lanes() const { return RgbLanes(_mm_loadu_ps(&flux.r)); }
-};
-
-/// A photon whose flux differs between its frames.
-struct GatheredStrands : GatheredPhoton {
-  const Strand* strands;
-};
-
-inline const Strand* strands_of(const GatheredPhoton&) { return nullptr; }
-inline const Strand* strands_of(const GatheredStrands& photon) { return photon.strands; }
 
 /// Photons of a cell keep their input order.
 template <class Gathered>

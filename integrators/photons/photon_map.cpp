@@ -5,6 +5,7 @@
 
 #include "dspm/base/grid/counting_sort.h"
 #include "dspm/base/system/parallel.h"
+#include "dspm/integrators/photons/trace_photons.h"
 
 namespace dspm {
 namespace {
@@ -46,6 +47,10 @@ bool mostly_common(const std::vector<Places>& counts) {
 }
 
 }  // namespace
+
+void PhotonMap::build(const std::vector<PhotonTrace>& traces, int frames, float cell_size) {
+  build(traces, frames, cell_size, &PhotonTrace::photons);
+}
 
 void PhotonMap::build(const std::vector<PhotonTrace>& traces, int frame_count, float cell_size,
                       std::vector<Photon> PhotonTrace::*which) {

@@ -9,9 +9,12 @@
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/integrators/light_groups.h"
+#include "dspm/integrators/photons/photon.h"
 #include "dspm/integrators/photons/photon_grid.h"
 
 namespace dspm {
+
+struct PhotonTrace;
 
 /// Photons shared by several frames are in one grid. Those of a single frame are in a grid of that frame, and again in
 /// a grid of all such photons, for hit points shared by many frames. If most photons are shared, all are in the first
@@ -23,9 +26,11 @@ class PhotonMap {
   explicit PhotonMap(LightGroups groups) : groups_(std::move(groups)) {}
 
   /// Sorts the photons of all `traces`, of a scene with that many frames; `cell_size` should suit a typical search
-  /// radius. The traces' strands must outlive the map. `which` selects ordinary or hidden photons.
+  /// radius. The traces' strands must outlive the map.
+  void build(const std::vector<PhotonTrace>& traces, int frames, float cell_size);
+  /// Sorts another list of theirs: hidden photons.
   void build(const std::vector<PhotonTrace>& traces, int frames, float cell_size,
-             std::vector<Photon> PhotonTrace::*which = &PhotonTrace::photons);
+             std::vector<Photon> PhotonTrace::*which);
 
   /// Returns whether it is the list of a light's strands, which many photons share.
   bool is_of_light(const Strand* strands) const {

@@ -8,7 +8,6 @@
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/integrators/photons/gather.h"
-#include "dspm/integrators/photons/kernel_size.h"
 
 namespace dspm {
 

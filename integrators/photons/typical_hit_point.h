@@ -1,11 +1,11 @@
 // Measures what photons find at a typical place, from the counts of the gathers that are made anyway.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "dspm/base/math/median.h"
 #include "dspm/base/system/state_stream.h"
 #include "dspm/integrators/photons/gather.h"
 #include "dspm/integrators/statistics.h"
@@ -43,13 +43,6 @@ class FoundByTile {
   }
 
  private:
-  static double median(std::vector<double>& values) {
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-  }
-
   int rounds_ = 0;
   std::vector<std::uint64_t> found_, gathers_;
 };

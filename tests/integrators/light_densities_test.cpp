@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "dspm/integrators/guiding/emission_tree.h"
-#include "dspm/integrators/photons/photon.h"
+#include "dspm/integrators/photons/trace_photons.h"
 #include "dspm/session/job/job.h"
 #include "dspm/testing/test_scene.h"
 

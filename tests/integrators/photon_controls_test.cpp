@@ -2,7 +2,7 @@
 // comes by way of smooth lobes, and nothing else.
 #include <gtest/gtest.h>
 
-#include "dspm/integrators/photons/photon.h"
+#include "dspm/integrators/photons/trace_photons.h"
 #include "dspm/testing/promises.h"
 #include "tests/integrators/floor.h"
 

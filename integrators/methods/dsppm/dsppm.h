@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dspm/base/params/params.h"
+#include "dspm/integrators/integrator.h"
 #include "dspm/integrators/methods/estimator.h"
 #include "dspm/world/scene/scene.h"
 

@@ -15,7 +15,6 @@ namespace dspm {
 struct FourSums {
   __m128 M, phi[3];
 
-  static FourSums none() { return {_mm_setzero_ps(), {_mm_setzero_ps(), _mm_setzero_ps(), _mm_setzero_ps()}}; }
   /// Adds photons in the frames of `lanes`.
   void add(__m128 lanes, const Rgb& flux, float photons = 1) {
     M = _mm_add_ps(M, _mm_and_ps(lanes, _mm_set1_ps(photons)));

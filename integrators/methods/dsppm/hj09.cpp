@@ -1,6 +1,7 @@
 // Progressive statistics for every pixel and frame [HJ09], gathered once for all frames that share a hit point
 // [WG12 4.3]. Frames are SIMD lanes.
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "dspm/base/colour/rgb.h"
@@ -8,6 +9,7 @@
 #include "dspm/base/system/parallel.h"
 #include "dspm/integrators/methods/dsppm/dsppm.h"
 #include "dspm/integrators/methods/dsppm/four_frames.h"
+#include "dspm/integrators/pixel_frames.h"
 #include "dspm/integrators/possible_state.h"
 
 namespace dspm {
@@ -36,33 +38,31 @@ struct Extremes {
 class Hj09 final : public PixelEstimator {
  public:
   explicit Hj09(const EstimatorSettings& of)
-      : of_(of),
-        groups_((of.frames + 3) / 4),
-        statistics_(count(of)),
-        passes_(of.batched ? count(of) : 0, FourSums::none()) {}
+      : of_(of), statistics_(of.pixels, groups(of)), passes_(of.batched ? of.pixels : 0, groups(of)) {}
   static std::size_t bytes(const EstimatorSettings& of) {
-    return count(of) * (sizeof(FourFrames) + (of.batched ? sizeof(FourSums) : 0));
+    return PixelFrames<FourFrames>::bytes(of.pixels, groups(of)) +
+           (of.batched ? PixelFrames<FourSums>::bytes(of.pixels, groups(of)) : 0);
   }
 
   float search_radius2(const HitPoint& hit) const override {
     const float initial2 = hit.radius * hit.radius;
     Extremes radii;
     for_each_group(hit.frames, [&](int group, __m128 lanes) {
-      const __m128 R2 = statistics_[index(hit.pixel, group)].R2();
+      const __m128 R2 = statistics_.at(hit.pixel, group).R2();
       radii.add(lanes, _mm_blendv_ps(R2, _mm_set1_ps(initial2), _mm_cmpeq_ps(R2, _mm_setzero_ps())));
     });
     return radii.largest();
   }
 
   void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) override {
-    FourFrames* pixel = &statistics_[index(hit.pixel, 0)];
+    FourFrames* pixel = &statistics_.at(hit.pixel, 0);
     // The largest radius finds the photons of every frame; those within the smallest need no per-frame test.
     Extremes radii;
     FourSums sums[kGroups];
     for_each_group(hit.frames, [&](int group, __m128 lanes) {
       pixel[group].begin(lanes, hit.radius * hit.radius);
       radii.add(lanes, pixel[group].R2());
-      sums[group] = FourSums::none();
+      sums[group] = FourSums();
     });
 
     PassSums shared;
@@ -97,7 +97,7 @@ class Hj09 final : public PixelEstimator {
       for_each_group(frames, [&](int group, __m128 lanes) {
         const FourSums total = sums[group].total(lanes, shared, hit.throughput * weight);
         if (of_.batched)
-          passes_[index(hit.pixel, group)] += total;
+          passes_.at(hit.pixel, group) += total;
         else
           pixel[group].absorb(total, of_.alpha);
       });
@@ -106,26 +106,26 @@ class Hj09 final : public PixelEstimator {
 
   void see(const SeenLight& light) override {
     light.frames.for_each([&](Frame f) {
-      statistics_[index(light.pixel, f / 4)].see(f % 4, light.radiance, static_cast<float>(of_.photons));
+      statistics_.at(light.pixel, f / 4).see(f % 4, light.radiance, static_cast<float>(of_.photons));
     });
   }
 
   void end_iteration() override {
-    parallel_for(static_cast<std::int64_t>(passes_.size()), 1 << 12, [&](std::int64_t i) {
+    std::vector<FourSums>& passes = passes_.values();
+    parallel_for(static_cast<std::int64_t>(passes.size()), 1 << 12, [&](std::int64_t i) {
       const auto at = static_cast<std::size_t>(i);
-      statistics_[at].absorb(passes_[at], of_.alpha);
-      passes_[at] = FourSums::none();
+      statistics_.values()[at].absorb(std::exchange(passes[at], FourSums()), of_.alpha);
     });
     ++iterations_;
   }
 
   bool adds_up() const override { return false; }
-  void forget_iteration() override { std::fill(passes_.begin(), passes_.end(), FourSums::none()); }
+  void forget_iteration() override { std::fill(passes_.values().begin(), passes_.values().end(), FourSums()); }
 
   void persist(StateStream& state) override {
     state.value(iterations_);
     expect_iterations(iterations_);
-    state.value(statistics_);
+    state.value(statistics_.values());
   }
 
   Rgb radiance(int pixel, Frame frame) const override {
@@ -134,22 +134,16 @@ class Hj09 final : public PixelEstimator {
   }
 
   std::optional<PixelStatistics> statistics(int pixel, Frame frame) const override {
-    return statistics_[index(pixel, frame / 4)].of(frame % 4);
+    return statistics_.at(pixel, frame / 4).of(frame % 4);
   }
 
  private:
-  static std::size_t count(const EstimatorSettings& of) {
-    return static_cast<std::size_t>(of.pixels) * static_cast<std::size_t>((of.frames + 3) / 4);
-  }
-  std::size_t index(int pixel, int group) const {
-    return static_cast<std::size_t>(pixel) * static_cast<std::size_t>(groups_) + static_cast<std::size_t>(group);
-  }
+  static int groups(const EstimatorSettings& of) { return (of.frames + 3) / 4; }
 
   EstimatorSettings of_;
-  int groups_;  // of four frames
   int iterations_ = 0;
-  std::vector<FourFrames> statistics_;  // the frames of a pixel lie together
-  std::vector<FourSums> passes_;        // of the iteration so far; only if photons come in batches
+  PixelFrames<FourFrames> statistics_;  // by groups of four frames
+  PixelFrames<FourSums> passes_;        // of the iteration so far; only if photons come in batches
 };
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/integrators/methods/dsppm/dsppm.h"
-#include "dspm/integrators/photons/gathered_flux.h"
-#include "dspm/integrators/photons/kernel_size.h"
+#include "dspm/integrators/photons/gather.h"
+#include "dspm/integrators/pixel_frames.h"
 #include "dspm/integrators/possible_state.h"
 
 namespace dspm {
@@ -16,9 +16,9 @@ namespace {
 class Kz11 final : public PixelEstimator {
  public:
   explicit Kz11(const EstimatorSettings& of)
-      : of_(of), shared_(static_cast<std::size_t>(of.pixels)), own_(of.pixel_frames()) {}
+      : of_(of), shared_(static_cast<std::size_t>(of.pixels)), own_(of.pixels, of.frames) {}
   static std::size_t bytes(const EstimatorSettings& of) {
-    return (static_cast<std::size_t>(of.pixels) + of.pixel_frames()) * sizeof(Rgb);
+    return static_cast<std::size_t>(of.pixels) * sizeof(Rgb) + PixelFrames<Rgb>::bytes(of.pixels, of.frames);
   }
 
   float search_radius2(const HitPoint& hit) const override { return radius_.squared(hit); }
@@ -33,7 +33,7 @@ class Kz11 final : public PixelEstimator {
     for_each_strand(tile.strands.of(hit.strands), hit.frames, [&](FrameSet frames, const Rgb& weight) {
       const Rgb times = per_area * weight;
       add(hit.pixel, frames, flux.shared() * times);
-      (frames & flux.with_own()).for_each([&](Frame f) { own_[index(hit.pixel, f)] += flux.own(f) * times; });
+      (frames & flux.with_own()).for_each([&](Frame f) { own_.at(hit.pixel, f) += flux.own(f) * times; });
     });
   }
 
@@ -49,13 +49,13 @@ class Kz11 final : public PixelEstimator {
     state.sum(iterations_);
     expect_iterations(iterations_);
     state.sum(shared_);
-    state.sum(own_);
+    state.sum(own_.values());
   }
 
   Rgb radiance(int pixel, Frame frame) const override {
     if (iterations_ == 0) return {};
     const auto emitted = static_cast<double>(iterations_ * of_.photons);
-    return (shared_[static_cast<std::size_t>(pixel)] + own_[index(pixel, frame)]) * static_cast<float>(1 / emitted);
+    return (shared_[static_cast<std::size_t>(pixel)] + own_.at(pixel, frame)) * static_cast<float>(1 / emitted);
   }
 
  private:
@@ -63,19 +63,15 @@ class Kz11 final : public PixelEstimator {
     if (frames == FrameSet::first(of_.frames)) {
       shared_[static_cast<std::size_t>(pixel)] += radiance_times_photons;
     } else {
-      frames.for_each([&](Frame f) { own_[index(pixel, f)] += radiance_times_photons; });
+      frames.for_each([&](Frame f) { own_.at(pixel, f) += radiance_times_photons; });
     }
-  }
-
-  std::size_t index(int pixel, Frame frame) const {
-    return static_cast<std::size_t>(pixel) * static_cast<std::size_t>(of_.frames) + static_cast<std::size_t>(frame);
   }
 
   EstimatorSettings of_;
   IterationRadius radius_;
   int iterations_ = 0;       // done
   std::vector<Rgb> shared_;  // by pixel: radiance times photons, common to all frames
-  std::vector<Rgb> own_;     // by pixel and frame: the rest
+  PixelFrames<Rgb> own_;     // the rest
 };
 
 }  // namespace

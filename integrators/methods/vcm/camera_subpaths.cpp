@@ -7,7 +7,6 @@
 #include "dspm/integrators/methods/vcm/connection.h"
 #include "dspm/integrators/methods/vcm/light_densities.h"
 #include "dspm/integrators/photons/gather.h"
-#include "dspm/integrators/photons/surface_kernel.h"
 #include "dspm/integrators/tiles.h"
 #include "dspm/integrators/transport/branching_path.h"
 #include "dspm/integrators/transport/camera_path.h"

@@ -12,7 +12,7 @@
 #include "dspm/integrators/methods/vcm/splats.h"
 #include "dspm/integrators/methods/vcm/subpath_weights.h"
 #include "dspm/integrators/methods/vcm/vcm_pass.h"
-#include "dspm/integrators/photons/photon.h"
+#include "dspm/integrators/photons/curve_photons.h"
 #include "dspm/integrators/statistics.h"
 #include "dspm/integrators/transport/shape_face.h"
 #include "dspm/integrators/transport/strand.h"

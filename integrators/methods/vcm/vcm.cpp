@@ -37,7 +37,7 @@
 #include "dspm/integrators/methods/vcm/light_subpaths.h"
 #include "dspm/integrators/methods/vcm/light_vertex_map.h"
 #include "dspm/integrators/methods/vcm/vcm_pass.h"
-#include "dspm/integrators/photons/hit_point.h"
+#include "dspm/integrators/photons/trace_hit_points.h"
 #include "dspm/integrators/photons/memory_needs.h"
 #include "dspm/integrators/pixel_count.h"
 #include "dspm/integrators/random_params.h"

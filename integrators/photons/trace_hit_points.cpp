@@ -1,4 +1,4 @@
-#include "dspm/integrators/photons/hit_point.h"
+#include "dspm/integrators/photons/trace_hit_points.h"
 
 #include <algorithm>
 

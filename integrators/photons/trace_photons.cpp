@@ -1,25 +1,18 @@
-#include "dspm/integrators/photons/photon.h"
+#include "dspm/integrators/photons/trace_photons.h"
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
-#include "dspm/base/math/vec.h"
 #include "dspm/base/system/parallel.h"
+#include "dspm/integrators/photons/emission_guide.h"
 #include "dspm/integrators/photons/photon_energy.h"
 #include "dspm/integrators/photons/photon_starts.h"
+#include "dspm/integrators/photons/photon_writer.h"
 #include "dspm/integrators/transport/branching_path.h"
 #include "dspm/integrators/transport/joint_path.h"
 #include "dspm/integrators/transport/light_value.h"
-#include "dspm/integrators/transport/mixed_frames.h"
 
 namespace dspm {
 namespace {
-
-struct PhotonPath : PathState {
-  unsigned kind = kDirectPhotons;
-  int start = 0;         // index into the starts of this path
-  bool hidden = false;   // see PhotonTrace::hidden
-  bool caustics = true;  // see SceneLight
-};
 
 unsigned kind_after(const PhotonPath& path, bool rough) {
   return rough || path.kind == kDiffusePhotons ? kDiffusePhotons : kCausticPhotons;
@@ -32,6 +25,7 @@ class PhotonTracer {
         settings_(settings),
         starts_(starts),
         out_(out),
+        writer_(scene, settings, out),
         energy_(scene.frame_count(), out),
         branches_(scene, out.paths) {}
 
@@ -125,100 +119,30 @@ class PhotonTracer {
     if (path.bounces == 0 && vertex.hit.t < started(path).must_reach)
       return balance(path, vertex.frames, &EnergyBalance::absorbed);
     if (vertex.differs()) return scatter_together(path, vertex);
-    Stored stored = stored_on_mixes(path, vertex);
+    PhotonWriter::Stored stored = writer_.stored_on_mixes(path, vertex);
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
-      add(stored, path, vertex, frames, bsdf);
+      writer_.add(stored, path, vertex, frames, bsdf);
       scatter(path, vertex, frames, bsdf, [&](const BsdfSample& sample, bool rough, const Rgb& factor) {
         const FrameFactor all{frames, factor};
         extend(path, vertex, sample, rough, {&all, 1});
       });
     });
-    store(path, vertex, stored);
+    writer_.store(path, started(path), vertex, stored);
   }
 
   [[gnu::noinline]] void scatter_together(const PhotonPath& path, const Vertex& vertex) {
-    Stored stored = stored_on_mixes(path, vertex);
+    PhotonWriter::Stored stored = writer_.stored_on_mixes(path, vertex);
     FrameArray<Scattered> scattered;
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
-      add(stored, path, vertex, frames, bsdf);
+      writer_.add(stored, path, vertex, frames, bsdf);
       scatter(path, vertex, frames, bsdf, [&](const BsdfSample& sample, bool rough, const Rgb& factor) {
         scattered.add({frames, factor, sample, rough});
       });
     });
-    store(path, vertex, stored);
+    writer_.store(path, started(path), vertex, stored);
     for_each_joint(scattered, settings_.share_paths, [&](const Scattered& first, std::span<const FrameFactor> factors) {
       extend(path, vertex, first.sample, first.rough, factors);
     });
-  }
-
-  /// The frames in which the surface gathers, or may gather right beside the point.
-  struct Stored {
-    FrameSet gathering, hidden;
-  };
-  bool gathers(const Vertex& vertex, const Bsdf& bsdf) const {
-    return gathering_lobes(bsdf, vertex.point, settings_.least_alpha) != 0;
-  }
-  Stored stored_on_mixes(const PhotonPath& path, const Vertex& vertex) const {
-    return {mixed_frames(vertex, [&](const Bsdf& bsdf) { return gathers(vertex, bsdf); }),
-            mixed_frames(vertex, [&](const Bsdf& bsdf) { return is_hidden_on(path, vertex, bsdf); })};
-  }
-  void add(Stored& stored, const PhotonPath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf) const {
-    if (gathers(vertex, bsdf)) stored.gathering |= frames;
-    if (is_hidden_on(path, vertex, bsdf)) stored.hidden |= frames;
-  }
-  void store(const PhotonPath& path, const Vertex& vertex, const Stored& stored) {
-    if (!stored.gathering.empty() && is_wanted(path)) store(out_.photons, path, vertex, stored.gathering);
-    if (stored.hidden.empty()) return;
-    if (vertex.point.turns)
-      store_on_curve(path, vertex, stored.hidden);
-    else
-      store(out_.hidden, path, vertex, stored.hidden);
-  }
-  bool is_wanted(const PhotonPath& path) const {
-    if (path.kind == kDirectPhotons && settings_.rays_tell && is_told_by_a_ray(scene_, started(path).light))
-      return false;
-    return (path.kind & settings_.kinds) != 0;
-  }
-  /// Excludes light straight from the light source, which shadow rays find.
-  bool is_hidden_on(const PhotonPath& path, const Vertex& vertex, const Bsdf& bsdf) const {
-    return path.hidden && path.bounces > 0 && glossy_lobes(bsdf, vertex.point, settings_.least_alpha) != 0;
-  }
-
-  void store(std::vector<Photon>& photons, const PhotonPath& path, const Vertex& vertex, FrameSet frames) {
-    const SurfacePoint& point = vertex.point;
-    const Vec3& wi = vertex.wo;
-    Rgb flux = path.throughput;
-    if (const Vec3& ns = unbent_normal(point); !(ns == point.ng)) {
-      // If the normals disagree about the side, every scattering function is zero.
-      const float geometric = dot(wi, point.ng), shading = dot(wi, ns);
-      if (!(geometric * shading > 0)) return;
-      flux *= shading / geometric;
-    }
-    if (path.kind == kDirectPhotons && settings_.direct != nullptr) flux *= weight_of_direct(path, point);
-    photons.push_back(photon(path, vertex, flux, frames));
-    count(photons.back());
-  }
-
-  void store_on_curve(const PhotonPath& path, const Vertex& vertex, FrameSet frames) {
-    out_.on_curves.push_back(
-        {photon(path, vertex, path.throughput, frames), StripPlace(vertex.shape, vertex.hit, vertex.wo), path.bounces});
-    count(out_.on_curves.back());
-  }
-
-  Photon photon(const PhotonPath& path, const Vertex& vertex, Rgb flux, FrameSet frames) {
-    const StrandList strands = out_.strands.folded(path.strands, frames, flux);
-    const ShapeFace face(vertex.hit.shape, vertex.point.ng, vertex.wo);
-    return {vertex.point.p, face, vertex.wo, flux, frames, strands, started(path).index};
-  }
-
-  void count(const Photon& stored) {
-    out_.stored.add(stored.frames.count());
-    out_.paths.weighted += stored.strands != 0;
-  }
-
-  float weight_of_direct(const PhotonPath& path, const SurfacePoint& point) const {
-    const Started& from = started(path);
-    return settings_.direct->weight_of_photon(from.light, from.state, from.start, {point.p, point.ng});
   }
 
   /// Calls fn(const BsdfSample&, rough, factor) unless these frames end.
@@ -277,16 +201,10 @@ class PhotonTracer {
   const Scene& scene_;
   const PhotonSettings& settings_;
   const PhotonStarts& starts_;
-  struct Started {
-    const SceneLight& light;
-    const Light& state;
-    LightStart start;
-    float must_reach;
-    int index;  // of the light
-  };
-  const Started& started(const PhotonPath& path) const { return started_[static_cast<std::size_t>(path.start)]; }
-  std::vector<Started> started_;  // of the path that is traced
+  const PhotonOrigin& started(const PhotonPath& path) const { return started_[static_cast<std::size_t>(path.start)]; }
+  std::vector<PhotonOrigin> started_;  // of the path that is traced
   PhotonTrace& out_;
+  PhotonWriter writer_;
   PhotonEnergy energy_;
   BranchingPath<PhotonPath> branches_;
 };
@@ -301,6 +219,23 @@ void clear(PhotonTrace& trace, const StrandTable& of_lights) {
 }
 
 }  // namespace
+
+void account(const std::vector<PhotonTrace>& traces, Statistics& statistics) {
+  for (const PhotonTrace& trace : traces) {
+    statistics.photon += trace.paths;
+    statistics.photons_stored += trace.stored;
+    statistics.rejections += trace.rejections;
+    for (std::size_t f = 0; f < statistics.energy.size(); ++f) statistics.energy[f] += trace.energy[f];
+  }
+}
+
+std::size_t bytes_of(const std::vector<PhotonTrace>& traces) {
+  std::size_t sum = 0;
+  for (const PhotonTrace& trace : traces)
+    sum += (trace.photons.capacity() + trace.hidden.capacity()) * sizeof(Photon) +
+           trace.on_curves.capacity() * sizeof(CurvePhoton) + trace.strands.bytes();
+  return sum;
+}
 
 std::vector<PhotonTrace> trace_photons(const Scene& scene, const PhotonSettings& settings, std::uint64_t iteration,
                                        std::int64_t first, std::int64_t end, std::vector<PhotonTrace> reuse) {

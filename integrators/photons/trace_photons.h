@@ -1,0 +1,74 @@
+// Traces photons from the lights, for all frames at once; their paths split where frames part, and leave a photon
+// wherever a camera path can gather it. [WG12 4.2]
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dspm/base/math/frames.h"
+#include "dspm/base/math/rng.h"
+#include "dspm/integrators/photons/curve_photons.h"
+#include "dspm/integrators/photons/photon.h"
+#include "dspm/integrators/statistics.h"
+#include "dspm/integrators/transport/strand.h"
+#include "dspm/world/scene/scene.h"
+
+namespace dspm {
+
+class DirectBalance;
+struct EmissionGuides;
+
+/// Photons by their history before they are stored.
+enum PhotonKinds : unsigned {
+  kDirectPhotons = 1,   // not scattered: they come straight from the light
+  kCausticPhotons = 2,  // scattered only by lobes smoother than least_alpha
+  kDiffusePhotons = 4,  // scattered by a rougher lobe at least once
+  kAllPhotons = 7,
+};
+
+struct PhotonSettings {
+  std::uint64_t seed = 0;
+  Stream stream = Stream::photon;
+  int max_depth = 8;             // a photon is stored at its first max_depth hits
+  float least_alpha = 0.25f;     // lobes smoother than this do not gather: no photon is stored just for them
+  unsigned kinds = kAllPhotons;  // to be stored
+  bool hidden = false;           // also store hidden photons
+  bool share_paths = false;      // frames that differ only in appearance or light share paths; else they part
+  FrameSet frames = FrameSet::first(kMaxFrames);  // in which paths are traced
+  const EmissionGuides* guides = nullptr;
+  const DirectBalance* direct = nullptr;  // weights photons that come straight from a light; null: 1
+  bool rays_tell = false;                 // no direct photons of lights that is_told_by_a_ray() are stored
+  bool keep_ends = false;                 // the traces say which photons are of which path
+  std::int64_t paths_per_trace = 2048;    // one thread traces them; fewer than these are better shared out
+  bool are_light_paths = false;           // reports call them so: what they bring needs no hit points that merge it
+};
+
+/// The results of a range of photon paths.
+struct PhotonTrace {
+  std::vector<Photon> photons;  // by path index, then branch; a frame's photons of one path by bounce
+  // Photons on glossy lobes whose light no camera path finds: it left a light that no ray can hit and met only specular
+  // lobes. In the same order.
+  std::vector<Photon> hidden;
+  std::vector<CurvePhoton> on_curves;  // likewise, on surfaces that turn
+  struct End {
+    std::size_t photons, hidden, on_curves;
+  };
+  std::vector<End> ends;  // of each path in these lists, if they are kept
+  StrandTable strands;
+  StrandList own_strands = 1;  // earlier lists belong to the lights and are the same in all traces
+  PathCounts paths;
+  SharedCount stored;
+  std::vector<EnergyBalance> energy;  // by frame
+  Rejections rejections;
+};
+
+/// Adds the traces' counts to `statistics`.
+void account(const std::vector<PhotonTrace>& traces, Statistics& statistics);
+std::size_t bytes_of(const std::vector<PhotonTrace>& traces);
+
+/// Traces paths first .. end - 1 of an iteration in parallel; returns chunks of paths in order. Recycles the buffers in
+/// `reuse` to avoid allocations.
+std::vector<PhotonTrace> trace_photons(const Scene& scene, const PhotonSettings& settings, std::uint64_t iteration,
+                                       std::int64_t first, std::int64_t end, std::vector<PhotonTrace> reuse);
+
+}  // namespace dspm
