@@ -10,16 +10,17 @@
 #include <numeric>
 #include <vector>
 
-#include "dspm/base/grid/buffer.h"
 #include "dspm/base/math/rng.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/system/parallel.h"
+#include "dspm/integrators/guiding/quarter_sums.h"
 
 namespace dspm {
 namespace {
 
 constexpr std::size_t kLeastRecords = 24;  // of a box that is halved
-constexpr std::size_t kAtOnce = 256;       // records that are worth no second thread
+constexpr std::size_t kSummed = 256;       // records whose values are summed up before those of others
+constexpr std::size_t kAtOnce = 1 << 12;   // records that are worth no second thread
 constexpr float kSmallestSide = 0x1p-16f;  // leaves numbers of 24 bits 8 of them
 constexpr double kDefensive = 0.25;        // the share of paths that start as without a guide
 constexpr double kClimbs = 0.6;            // the chance that a draw leaves its box for the next larger one
@@ -36,6 +37,7 @@ double deviation(double value, double volume) { return std::sqrt(value * volume)
 struct Box {
   EmissionBox box;
   Records records, room;  // room: for the halves' records
+  std::size_t place = 0;  // of its first record, among all
   double value = 0;       // of the records
   std::unique_ptr<std::array<Box, 2>> halves;
   int side = 0;                    // the side that is halved
@@ -47,67 +49,45 @@ struct Box {
   double deviation() const { return dspm::deviation(value, box.volume()); }
 };
 
-/// The sums over some records of a box, by side and quarter of it.
-struct Sums {
-  std::array<std::array<double, 4>, 4> values{};
-  std::array<std::size_t, 4> low{};  // records in the lower half
-
-  static std::size_t quarter(const EmissionRecord& record, const EmissionBox& box, std::size_t side) {
-    const float place = (record.numbers[side] - box.low[side]) * (4 / box.size[side]);
-    return static_cast<std::size_t>(std::clamp(static_cast<int>(place), 0, 3));
-  }
-  Sums() = default;
-  Sums(Records records, const EmissionBox& box) {
-    for (const EmissionRecord& record : records)
-      for (std::size_t side = 0; side < 4; ++side) {
-        const std::size_t at = quarter(record, box, side);
-        values[side][at] += record.value, low[side] += at < 2;
-      }
-  }
-  Sums& operator+=(const Sums& o) {
-    for (std::size_t side = 0; side < 4; ++side) {
-      for (std::size_t at = 0; at < 4; ++at) values[side][at] += o.values[side][at];
-      low[side] += o.low[side];
-    }
-    return *this;
-  }
-};
-
 /// Calls fn(some of the records, the number of their chunk).
 template <class Fn>
 void for_each_chunk(Records records, Fn&& fn) {
-  parallel_chunks(static_cast<std::int64_t>(records.size()), kAtOnce, [&](std::int64_t begin, std::int64_t end) {
-    const auto first = static_cast<std::size_t>(begin);
-    fn(records.subspan(first, static_cast<std::size_t>(end) - first), first / kAtOnce);
+  const std::size_t count = records.size(), chunks = (count + kSummed - 1) / kSummed;
+  parallel_for(static_cast<std::int64_t>(chunks), kAtOnce / kSummed, [&](std::int64_t i) {
+    const auto chunk = static_cast<std::size_t>(i);
+    fn(records.subspan(chunk * kSummed, std::min(kSummed, count - chunk * kSummed)), chunk);
   });
 }
 
 /// Calls fn(a half, whether it is the upper one).
 template <class Fn>
-void for_each_half(const Box& box, Fn&& fn) {
+void for_each_half(Box& box, Fn&& fn) {
   if (box.records.size() <= kAtOnce) return fn((*box.halves)[0], false), fn((*box.halves)[1], true);
   parallel_for(2, 1, [&](std::int64_t upper) { fn((*box.halves)[static_cast<std::size_t>(upper)], upper == 1); });
 }
 
 /// Looks two levels ahead: a box whose halves are alike may hold all it has along their border.
-double gain(const Box& box, const Sums& sums, int side) {
+double gain(const Box& box, const QuarterSums& sums, int side) {
   if (box.box.size[EmissionBox::slot(side)] <= kSmallestSide) return 0;
   double divided = 0;
-  for (const double quarter : sums.values[EmissionBox::slot(side)]) divided += deviation(quarter, box.box.volume() / 4);
+  for (const double quarter : sums.values(EmissionBox::slot(side))) divided += deviation(quarter, box.box.volume() / 4);
   return box.deviation() - divided;
 }
 
 /// Halves the box. Records go to the halves in their order. `sums` holds sums by chunk; `low` of the records are in the
 /// lower half.
-void halve(Box& box, const std::vector<Sums>& sums, std::size_t low) {
+void halve(Box& box, const std::vector<QuarterSums>& sums, std::size_t low) {
   const std::size_t side = EmissionBox::slot(box.side);
   std::vector<std::size_t> low_before(sums.size());
   for (std::size_t chunk = 1; chunk < sums.size(); ++chunk)
-    low_before[chunk] = low_before[chunk - 1] + sums[chunk - 1].low[side];
+    low_before[chunk] = low_before[chunk - 1] + sums[chunk - 1].below(side);
   for_each_chunk(box.records, [&](Records records, std::size_t chunk) {
-    std::size_t lower = low_before[chunk], upper = low + chunk * kAtOnce - lower;
-    for (const EmissionRecord& record : records)
-      box.room[Sums::quarter(record, box.box, side) < 2 ? lower++ : upper++] = record;
+    std::size_t lower = low_before[chunk], upper = low + chunk * kSummed - lower;
+    for (const EmissionRecord& record : records) {  // no branches: they would be mispredicted
+      const std::size_t is_lower = quarter_of(record, box.box, side) < 2;
+      box.room[is_lower ? lower : upper] = record;
+      lower += is_lower, upper += 1 - is_lower;
+    }
   });
   box.halves = std::make_unique<std::array<Box, 2>>();
   for (const bool upper : {false, true}) {
@@ -115,22 +95,24 @@ void halve(Box& box, const std::vector<Sums>& sums, std::size_t low) {
     const std::size_t first = upper ? low : 0, count = upper ? box.records.size() - low : low;
     half.box = box.box.half(box.side, upper);
     half.records = box.room.subspan(first, count), half.room = box.records.subspan(first, count);
+    half.place = box.place + first;
   }
 }
 
 /// Halves boxes as long as that gains anything.
 void grow(Box& box, double most_worth) {
-  std::vector<Sums> sums(static_cast<std::size_t>(chunk_count(static_cast<std::int64_t>(box.records.size()), kAtOnce)));
-  for_each_chunk(box.records, [&](Records records, std::size_t chunk) { sums[chunk] = Sums(records, box.box); });
-  const Sums all = std::accumulate(sums.begin(), sums.end(), Sums(), [](Sums a, const Sums& b) { return a += b; });
-  box.value = std::accumulate(all.values[0].begin(), all.values[0].end(), 0.0);
+  std::vector<QuarterSums> sums((box.records.size() + kSummed - 1) / kSummed);
+  for_each_chunk(box.records, [&](Records records, std::size_t chunk) { sums[chunk] = {records, box.box}; });
+  const QuarterSums all =
+      std::accumulate(sums.begin(), sums.end(), QuarterSums(), [](QuarterSums a, const QuarterSums& b) { return a += b; });
+  for (const double quarter : all.values(0)) box.value += quarter;
   if (box.records.size() < kLeastRecords) return;
   double best = 0;
   for (int side = 0; side < 4; ++side)
     if (const double gained = gain(box, all, side); gained > best) best = gained, box.side = side;
   if (!(best > 0)) return;
   box.worth = std::min(best, most_worth);
-  halve(box, sums, all.low[EmissionBox::slot(box.side)]);
+  halve(box, sums, all.below(EmissionBox::slot(box.side)));
   for_each_half(box, [&](Box& half, bool) { grow(half, box.worth); });
   for (const Box& half : *box.halves) box.boxes_within += 1 + half.boxes_within;
 }
@@ -156,21 +138,24 @@ EmissionRecord beside(const EmissionRecord& record, const EmissionBox& box) {
   return moved;
 }
 
-void add_spread(const Box& box, std::vector<EmissionRecord>& all) {
+/// Writes the box's records to `all`, each with one beside it, and frees the halves.
+void spread(Box& box, Records all) {
   if (box.halves != nullptr) {
-    for (const Box& half : *box.halves) add_spread(half, all);
+    for_each_half(box, [&](Box& half, bool) { spread(half, all); });
+    box.halves = nullptr;
     return;
   }
+  EmissionRecord* to = &all[2 * box.place];
   for (const EmissionRecord& record : box.records) {
-    all.push_back(record), all.back().value *= 1 - kBeside;
-    all.push_back(beside(record, box.box)), all.back().value *= kBeside;
+    *to = record, to++->value *= 1 - kBeside;
+    *to = beside(record, box.box), to++->value *= kBeside;
   }
 }
 
 class Trees {
  public:
-  Trees(Records records, std::span<const float> usual) : usual_(usual), roots_(usual.size()) {
-    room_.refit(records.size());
+  /// The records and `room`, which has as many, are moved to and fro.
+  Trees(Records records, Records room, std::span<const float> usual) : usual_(usual), roots_(usual.size()) {
     for_each_root([&](std::size_t light) {
       const auto before = [](const EmissionRecord& record, std::size_t of) {
         return static_cast<std::size_t>(record.light) < of;
@@ -179,20 +164,18 @@ class Trees {
                  end = std::lower_bound(begin, records.end(), light + 1, before);
       const auto first = static_cast<std::size_t>(begin - records.begin()),
                  count = static_cast<std::size_t>(end - begin);
-      roots_[light].records = {begin, end}, roots_[light].room = Records(room_).subspan(first, count);
+      roots_[light].records = {begin, end}, roots_[light].room = room.subspan(first, count);
+      roots_[light].place = first;
       grow(roots_[light], std::numeric_limits<double>::infinity());
     });
     least_worth_ = most_worth_not_affordable();
   }
 
-  /// Returns the records, light by light, each with one beside it. Without those the density would fall off a cliff at
+  /// Writes the records, light by light, each with one beside it. Without those the density would fall off a cliff at
   /// the edges of what was found: a path that starts just beyond one is seldom drawn, and its weight is larger by as
   /// much.
-  std::vector<EmissionRecord> spread() const {
-    std::vector<EmissionRecord> all;
-    all.reserve(2 * room_.size());
-    for (const Box& root : roots_) add_spread(root, all);
-    return all;
+  void spread(Records all) {
+    for_each_root([&](std::size_t light) { dspm::spread(roots_[light], all); });
   }
 
   EmissionGuide guide() {
@@ -264,7 +247,6 @@ class Trees {
   }
 
   std::span<const float> usual_;
-  Buffer<EmissionRecord> room_;
   std::vector<Box> roots_;  // by light
   double least_worth_ = 0;  // boxes of more are halved
   double guided_ = 0;       // the probability of what is drawn once
@@ -272,9 +254,19 @@ class Trees {
 
 }  // namespace
 
+EmissionGuide guide_from(std::span<EmissionRecord> records, std::span<const float> usual, GuideRoom& room) {
+  const std::size_t count = 2 * records.size();
+  for (Buffer<EmissionRecord>* buffer : {&room.spread, &room.halves}) {
+    if (buffer->bytes() < count * sizeof(EmissionRecord)) buffer->refit(2 * count);  // rounds have more and more
+    buffer->refit(count);
+  }
+  Trees(records, Records(room.halves).first(records.size()), usual).spread(room.spread);
+  return Trees(room.spread, room.halves, usual).guide();
+}
+
 EmissionGuide guide_from(std::span<EmissionRecord> records, std::span<const float> usual) {
-  std::vector<EmissionRecord> spread = Trees(records, usual).spread();
-  return Trees(spread, usual).guide();
+  GuideRoom room;
+  return guide_from(records, usual, room);
 }
 
 }  // namespace dspm

@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "dspm/base/grid/buffer.h"
 #include "dspm/integrators/photons/emission_guide.h"
 
 namespace dspm {
@@ -16,8 +17,14 @@ struct EmissionRecord {
   double value;
 };
 
+/// Memory for making a guide, which the next one uses again: pages that are new cost as much as half of the work.
+struct GuideRoom {
+  Buffer<EmissionRecord> spread, halves;
+};
+
 /// Makes a guide from the records, which come light by light and lose their order. `usual` holds the lights'
 /// probabilities without a guide: a share of the paths keeps them, so no light is lost, whatever the records are.
+EmissionGuide guide_from(std::span<EmissionRecord> records, std::span<const float> usual, GuideRoom& room);
 EmissionGuide guide_from(std::span<EmissionRecord> records, std::span<const float> usual);
 
 }  // namespace dspm

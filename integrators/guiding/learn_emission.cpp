@@ -272,12 +272,12 @@ class Learner {
                                   count * (2 * sizeof(FoundPath) + 7 * sizeof(EmissionRecord)) +
                                   scene_.light_choices.size() * kTreeBytes);
     EmissionGuides guides;
-    guides.of_choice.resize(scene_.light_choices.size());
+    guides.of_choice.resize(scene_.light_choices.size()), rooms_.resize(guides.of_choice.size());
     parallel_for(static_cast<std::int64_t>(guides.of_choice.size()), 1, [&](std::int64_t i) {
       const std::size_t choice = static_cast<std::size_t>(i), lights = scene_.lights.size(),
                         first = first_of_kind[choice * lights], end = first_of_kind[(choice + 1) * lights];
       guides.of_choice[choice] = guide_from(std::span<EmissionRecord>(records_).subspan(first, end - first),
-                                            scene_.light_choices[choice].probability);
+                                            scene_.light_choices[choice].probability, rooms_[choice]);
     });
     return guides;
   }
@@ -303,6 +303,7 @@ class Learner {
   std::unique_ptr<const Searched> searched_;
   std::vector<PhotonTrace> traces_;
   Buffer<EmissionRecord> records_;
+  std::vector<GuideRoom> rooms_;  // by choice
   std::uint64_t rounds_ = 0;
   std::size_t bytes_ = 0;
 };

@@ -1,0 +1,69 @@
+// What a box of emission numbers holds, by side and quarter of the side: it decides which side is halved.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "dspm/integrators/guiding/emission_tree.h"
+
+namespace dspm {
+
+/// Returns the quarter of a box's side in which the record lies.
+inline int quarter_of(const EmissionRecord& record, const EmissionBox& box, std::size_t side) {
+  const float place = (record.numbers[side] - box.low[side]) * (4 / box.size[side]);
+  return std::clamp(static_cast<int>(place), 0, 3);
+}
+
+/// The sums over some records of a box. Its four sides are lanes: each record adds its value to the quarter where it
+/// lies, and zero to the others, which costs less than to look up where each side's value goes.
+class QuarterSums {
+ public:
+  QuarterSums() = default;
+  QuarterSums(std::span<const EmissionRecord> records, const EmissionBox& box) {
+    const Numbers low = std::bit_cast<Numbers>(box.low), scale = 4 / std::bit_cast<Numbers>(box.size);
+    Values sums[4]{};  // by quarter
+    Integers below{};
+    for (const EmissionRecord& record : records) {
+      const Numbers place = (std::bit_cast<Numbers>(record.numbers) - low) * scale;
+      const Integers quarter = __builtin_convertvector(place, Integers);
+      const Values value = Values{} + record.value;
+      const auto add = [&](Values& sum, Integers there) {
+        sum += (Values)((Masks)value & __builtin_convertvector(there, Masks));
+      };
+      add(sums[0], quarter < 1), add(sums[1], quarter == 1), add(sums[2], quarter == 2), add(sums[3], quarter > 2);
+      below -= quarter < 2;
+    }
+    for (std::size_t side = 0; side < 4; ++side) {
+      for (std::size_t at = 0; at < 4; ++at) values_[side][at] = sums[at][side];
+      below_[side] = static_cast<std::size_t>(below[side]);
+    }
+  }
+  QuarterSums& operator+=(const QuarterSums& o) {
+    for (std::size_t side = 0; side < 4; ++side) {
+      for (std::size_t at = 0; at < 4; ++at) values_[side][at] += o.values_[side][at];
+      below_[side] += o.below_[side];
+    }
+    return *this;
+  }
+
+  /// By quarter.
+  const std::array<double, 4>& values(std::size_t side) const { return values_[side]; }
+  /// The number of records in the lower half.
+  std::size_t below(std::size_t side) const { return below_[side]; }
+
+ private:
+  // Lanes by side. Comparisons give integers of -1 and 0.
+  using Numbers [[gnu::vector_size(16)]] = float;
+  using Integers [[gnu::vector_size(16)]] = std::int32_t;
+  using Values [[gnu::vector_size(32)]] = double;
+  using Masks [[gnu::vector_size(32)]] = std::int64_t;
+
+  std::array<std::array<double, 4>, 4> values_{};
+  std::array<std::size_t, 4> below_{};
+};
+
+}  // namespace dspm
