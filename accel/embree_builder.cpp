@@ -1,12 +1,6 @@
 // A Bvh by Embree's builder: binned surface area heuristic on all threads, several times as fast as ours. Only the
 // builder is Embree's. Its own rays decide by its own triangle test, which differs with the instruction set and may
 // miss a triangle at its edge without a trace, so no answer of dspm's could rest on them.
-#if __has_include(<embree4/rtcore.h>)
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
-
 #include <algorithm>
 #include <memory>
 #include <new>
@@ -14,6 +8,7 @@
 #include <type_traits>
 
 #include "dspm/accel/bvh.h"
+#include "dspm/accel/embree.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/base/system/work.h"
 

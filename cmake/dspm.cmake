@@ -1,5 +1,13 @@
 # The project's libraries, tests and the compiler's settings, one line each where they are used.
 
+# The oldest with all of C++20 that is used.
+set(oldest_GNU 12)
+set(oldest_Clang 14)
+if(CMAKE_CXX_COMPILER_VERSION VERSION_LESS "${oldest_${CMAKE_CXX_COMPILER_ID}}")
+  message(FATAL_ERROR "${CMAKE_CXX_COMPILER} is version ${CMAKE_CXX_COMPILER_VERSION}; dspm needs g++ 12 or clang++ 14 at "
+    "least. If there is another one: CXX=g++-12 ./dev demo, after removing ${CMAKE_BINARY_DIR}")
+endif()
+
 find_package(fmt REQUIRED)
 find_package(TBB REQUIRED)
 find_package(GTest REQUIRED)

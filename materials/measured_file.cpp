@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <string_view>
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/colour/sampled_colours.h"
@@ -20,8 +21,8 @@ using Tables = std::map<std::string, Tensor>;
 [[noreturn]] void fail(const std::string& cause) { throw std::runtime_error(cause); }
 
 /// Returns a table with that many dimensions, finite and not negative where it must be.
-const Tensor& table(const Tables& tables, const std::string& name, std::size_t dimensions, bool positive = true) {
-  const auto found = tables.find(name);
+const Tensor& table(const Tables& tables, std::string_view name, std::size_t dimensions, bool positive = true) {
+  const auto found = tables.find(std::string(name));
   if (found == tables.end()) fail(fmt::format("the file has no table \"{}\"", name));
   const Tensor& tensor = found->second;
   if (tensor.shape.size() != dimensions || tensor.values.empty())

@@ -7,6 +7,7 @@
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/version.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -81,6 +82,15 @@ bool is_turned(const Face& now, const Face& before) {
   return now[(first + 1) % 3] != before[1];
 }
 
+void fill(CgalSurface& surface, CgalSurface::Halfedge_index rim) {
+#if CGAL_VERSION_NR >= 1050600000
+  pmp::triangulate_hole(surface, rim);
+#else
+  std::vector<CgalSurface::Face_index> filling;
+  pmp::triangulate_hole(surface, rim, std::back_inserter(filling));
+#endif
+}
+
 void fill_small_holes(CgalSurface& surface, float largest) {
   std::vector<CgalSurface::Halfedge_index> rims;
   pmp::extract_boundary_cycles(surface, std::back_inserter(rims));
@@ -89,8 +99,7 @@ void fill_small_holes(CgalSurface& surface, float largest) {
     Bounds3 box;
     for (const auto v : surface.vertices_around_face(rim)) ++edges, box.add(to_vec3(surface.point(v)));
     if (edges > kMostRimEdges || length(box.extent()) > largest) continue;
-    std::vector<CgalSurface::Face_index> filling;
-    pmp::triangulate_hole(surface, rim, std::back_inserter(filling));
+    fill(surface, rim);
   }
 }
 

@@ -78,6 +78,27 @@ RTCGeometry geometry_of(RTCDevice device, const PlacedShape& placed) {
   return radius > 0 ? sphere(device, placed.bounds(0), radius) : foreign_shape(device, placed);
 }
 
+// Embree 4 wants no context.
+void meet_nearest(RTCScene scene, RTCRayHit& both) {
+#if DSPM_EMBREE == 3
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene, &context, &both);
+#else
+  rtcIntersect1(scene, &both);
+#endif
+}
+
+void meet_any(RTCScene scene, RTCRay& ray) {
+#if DSPM_EMBREE == 3
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(scene, &context, &ray);
+#else
+  rtcOccluded1(scene, &ray);
+#endif
+}
+
 }  // namespace
 
 BareEmbree::BareEmbree(std::span<const PlacedShape> shapes)
@@ -107,19 +128,15 @@ RTCRay BareEmbree::prepared(const Ray& ray) const {
 }
 
 float BareEmbree::nearest(const Ray& ray) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   RTCRayHit both{prepared(ray), {}};
   both.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(scene_.get(), &context, &both);
+  meet_nearest(scene_.get(), both);
   return both.hit.geomID == RTC_INVALID_GEOMETRY_ID ? kInfinity : both.ray.tfar;
 }
 
 bool BareEmbree::occluded(const Ray& ray) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   RTCRay r = prepared(ray);
-  rtcOccluded1(scene_.get(), &context, &r);
+  meet_any(scene_.get(), r);
   return r.tfar < 0;
 }
 

@@ -2,11 +2,10 @@
 // as dspm's trees do, but not bit by bit.
 #pragma once
 
-#include <embree3/rtcore.h>
-
 #include <memory>
 #include <span>
 
+#include "dspm/accel/embree.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/shapes/placed_shape.h"
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # What an author of plugins does, from an installed dspm: installs it into a scratch prefix, then builds and renders with
-# it. usage: installed.sh <source directory> <build directory> headers|examples|projects|moved <compiler>
+# it. usage: [warnings=-Werror] installed.sh <source directory> <build directory> headers|examples|projects|moved <compiler>
 set -euo pipefail
+export warnings=${warnings:--Wall -Wextra}
 source_dir=$1 build_dir=$2 task=$3 compiler=$4
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -9,7 +10,7 @@ prefix=$work/prefix
 cmake --install "$build_dir" --prefix "$prefix" >/dev/null
 include=$(find "$prefix" -type d -path '*/include/dspm')
 dspm=$prefix/bin/dspm
-flags="-x c++ -std=c++20 -msse4.2 -mpopcnt -Wall -Wextra -Werror -I $(dirname "$include")"
+flags="-x c++ -std=c++20 -msse4.2 -mpopcnt $warnings -I $(dirname "$include")"
 
 fail() {
   echo "$1" >&2
@@ -18,7 +19,7 @@ fail() {
 
 build() {  # folder: configures, builds and tests it
   cmake -S "$1" -B "$1/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$compiler" \
-    -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_FLAGS="-Wall -Wextra -Werror" >"$1.log" 2>&1 &&
+    -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_FLAGS="$warnings" >"$1.log" 2>&1 &&
     cmake --build "$1/build" >>"$1.log" 2>&1 && ctest --test-dir "$1/build" --output-on-failure >>"$1.log" 2>&1 ||
     { cat "$1.log" >&2; fail "$1 does not build, or fails its tests, with $compiler"; }
 }
@@ -98,7 +99,7 @@ examples() {
 
 project() {
   local commands
-  export CXX=$compiler CXXFLAGS="-Wall -Wextra -Werror" CMAKE_GENERATOR=Ninja CMAKE_BUILD_TYPE=Release
+  export CXX=$compiler CXXFLAGS="$warnings" CMAKE_GENERATOR=Ninja CMAKE_BUILD_TYPE=Release
   commands=$("$dspm" --new-plugin "$1" "my_${1//-/_}" "$work/what's new/$1")
   bash -ec "$commands" >"$work/$1.log" 2>&1 || { cat "$work/$1.log" >&2; fail "what --new-plugin $1 says fails with $compiler"; }
 }
