@@ -13,7 +13,8 @@ set(public_headers
   image/film/pixel_filter.h image/film/pixel_rect.h
   image/image.h
   integrators/caught_light.h integrators/counters.h integrators/dimension.h integrators/emission_report.h
-  integrators/integrator.h integrators/light_groups.h integrators/output_info.h integrators/pixel_frames.h
+  integrators/integrator.h integrators/iteration.h integrators/light_groups.h integrators/output_info.h
+  integrators/pixel_frames.h
   integrators/rejections.h integrators/seen_light.h integrators/statistics.h integrators/summed_iterations.h
   integrators/summing_integrator.h integrators/tiles.h
   lang/file_frames.h

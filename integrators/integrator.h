@@ -14,6 +14,7 @@
 #include "dspm/image/film/pixel_filter.h"
 #include "dspm/image/film/pixel_rect.h"
 #include "dspm/image/image.h"
+#include "dspm/integrators/iteration.h"
 #include "dspm/integrators/output_info.h"
 #include "dspm/integrators/statistics.h"
 #include "dspm/world/scene/scene.h"
@@ -27,8 +28,8 @@ struct RenderSettings {
   int width = 0, height = 0;  // of the full image
   PixelRect crop;             // the rendered area
   std::shared_ptr<const PixelFilter> filter;
-  bool jitter = true;           // false: every camera path through the pixel's centre
-  bool filter_textures = true;  // false: lookups of camera paths do not average over a footprint
+  bool jitter = true;            // false: every camera path through the pixel's centre
+  bool filter_textures = true;   // false: lookups of camera paths do not average over a footprint
   bool noise_per_frame = false;  // camera paths draw other numbers where the camera is in another state
   std::uint64_t seed = 0;
   int default_iterations = 256;      // if the integrator's parameters set none
@@ -50,11 +51,10 @@ class Integrator {
   /// The settings that matter to the user, in words, for the log: "300000 photons, ...".
   virtual std::string settings() const = 0;
   /// Advances all frames by one iteration; iterations count from 0 and come in order, without gaps except for those
-  /// that other machines do (why_not_in_parts). `scene` is the one that the integrator was made for, or its state in
-  /// that iteration, with the same frames, shapes, materials and lights. What an integrator makes once, such as
-  /// photonmap's maps, it makes from the first scene. May throw; persist() can then load the state saved before, which
-  /// is also how a session undoes a cancelled iteration.
-  virtual void iterate(int iteration, const Scene& scene) = 0;
+  /// that other machines do (why_not_in_parts). What an integrator makes once, such as photonmap's maps, it makes from
+  /// the first iteration's scene. May throw; persist() can then load the state saved before, which is also how a session
+  /// undoes a cancelled iteration.
+  virtual void iterate(const Iteration& iteration) = 0;
   /// The images that it gives of every frame, radiance first.
   virtual std::vector<OutputInfo> outputs() const { return {radiance_output()}; }
   /// Returns one of its outputs over the crop, in one frame of the interval, after the completed iterations. Outputs

@@ -24,8 +24,8 @@ std::string said_in(std::string line) {
 Image denoised(const JointRender& render, int frame) {
   const Job& job = render.scene().job;
   if (!job.denoiser) throw UsageError("the scene was loaded without a denoiser, which takes outputs of its own");
-  const auto& [interval, place] = render.place_of(frame);
-  const Integrator& integrator = *interval.integrator;
+  const auto& [stage, place] = render.place_of(frame);
+  const Integrator& integrator = stage.integrator();
   Image image = denoised(*job.denoiser, integrator.estimate(place), integrator, place,
                          "the denoised image of " + render.labels()[static_cast<std::size_t>(frame)]);
   return developed(std::move(image), job);
@@ -46,8 +46,8 @@ std::vector<std::filesystem::path> write(const JointRender& render, const ImageF
   const Warn keep = [&](const std::string& text) { said += text; };
   CalledMessages messages(keep);
   Results results(job, *render.scene().world, files.settings, {}, false, messages, [] { return false; });
-  for (const JointRender::Interval& interval : render.intervals())
-    results.write(interval.frames, *interval.integrator, render.seconds(), Results::Images::so_far);
+  for (const Stage& stage : render.stages())
+    results.write(stage.frames(), stage.integrator(), render.seconds(), Results::Images::so_far);
   if (!results.are_whole()) {
     results.report_missing();
     throw std::runtime_error(said_in(said));

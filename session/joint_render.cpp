@@ -11,7 +11,6 @@
 #include "dspm/image/image.h"
 #include "dspm/session/frame_intervals.h"
 #include "dspm/session/job/developed.h"
-#include "dspm/session/session.h"
 
 namespace dspm {
 
@@ -27,52 +26,50 @@ JointRender::JointRender(std::shared_ptr<const LoadedScene> scene, const Warn& w
 }
 
 void JointRender::make(const FrameList& frames, Messages& messages) {
-  Interval interval{frames, scene_->world->scene(frames), nullptr};
-  interval.integrator = make_integrator(scene_->job, *interval.scene, messages);
+  stages_.emplace_back(*scene_, frames).make_integrator(messages);
   const FrameList& all = scene_->job.frames;
   for (std::size_t j = 0; j < frames.size(); ++j) {
     const auto at = std::lower_bound(all.begin(), all.end(), frames[j]) - all.begin();
-    places_[static_cast<std::size_t>(at)] = {intervals_.size(), static_cast<Frame>(j)};
+    places_[static_cast<std::size_t>(at)] = {stages_.size() - 1, static_cast<Frame>(j)};
   }
-  intervals_.push_back(std::move(interval));
 }
 
 void JointRender::iterate() {
   const auto begin = std::chrono::steady_clock::now();
-  for (const Interval& interval : intervals_) interval.integrator->iterate(iterations_, *interval.scene);
+  for (Stage& stage : stages_) stage.iterate(iterations_);
   ++iterations_;
   seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-int JointRender::wanted() const { return scene_->job.iterations(*intervals_.front().integrator); }
+int JointRender::wanted() const { return scene_->job.iterations(stages_.front().integrator()); }
 
-std::pair<const JointRender::Interval&, Frame> JointRender::place_of(int frame) const {
+std::pair<const Stage&, Frame> JointRender::place_of(int frame) const {
   if (frame < 0 || frame >= static_cast<int>(places_.size()))
     throw std::out_of_range(fmt::format("frame {}: there are {}, counted from 0", frame, places_.size()));
   if (iterations_ == 0) throw std::logic_error("there are no images before the first iteration");
   const Place& place = places_[static_cast<std::size_t>(frame)];
-  return {intervals_[place.interval], place.frame};
+  return {stages_[place.stage], place.frame};
 }
 
 Image JointRender::image(int frame, const std::string& output) const {
-  const auto& [interval, place] = place_of(frame);
+  const auto& [stage, place] = place_of(frame);
   if (std::find(outputs_.begin(), outputs_.end(), output) == outputs_.end())
     throw std::out_of_range(
         fmt::format("\"{}\" is none of the outputs that were asked for: {}", output, fmt::join(outputs_, ", ")));
-  Image image = interval.integrator->estimate(place, output);
+  Image image = stage.integrator().estimate(place, output);
   return output == kRadiance ? developed(std::move(image), scene_->job) : image;
 }
 
 std::vector<Statistics> JointRender::statistics() const {
   std::vector<Statistics> all;
-  for (const Interval& interval : intervals_) all.push_back(interval.integrator->statistics());
+  for (const Stage& stage : stages_) all.push_back(stage.integrator().statistics());
   return all;
 }
 
 void JointRender::persist(StateStream& stream) {
   stream.value(iterations_);
-  for (const Interval& interval : intervals_)
-    if (!interval.integrator->persist(stream)) throw std::runtime_error("this integrator has no state to keep");
+  for (const Stage& stage : stages_)
+    if (!stage.integrator().persist(stream)) throw std::runtime_error("this integrator has no state to keep");
 }
 
 std::string JointRender::state() { return state_of(*this); }

@@ -1,6 +1,7 @@
 // All frames of a scene, rendered together with images in memory: what Renderer and the Python module stand on.
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -11,23 +12,16 @@
 #include "dspm/base/system/state_stream.h"
 #include "dspm/image/image.h"
 #include "dspm/integrators/integrator.h"
-#include "dspm/session/frame_intervals.h"
 #include "dspm/session/load.h"
 #include "dspm/session/messages.h"
 #include "dspm/session/renderer.h"
-#include "dspm/world/scene/scene.h"
+#include "dspm/session/stage.h"
 
 namespace dspm {
 
 /// See Renderer for what is not said here. Intervals of frames are all in memory.
 class JointRender {
  public:
-  struct Interval {
-    FrameList frames;
-    std::unique_ptr<const Scene> scene;
-    std::unique_ptr<Integrator> integrator;
-  };
-
   explicit JointRender(std::shared_ptr<const LoadedScene> scene, const Warn& warn = kIgnoreWarnings);
 
   const LoadedScene& scene() const { return *scene_; }
@@ -38,9 +32,10 @@ class JointRender {
   int wanted() const;
   /// Throws std::out_of_range as Renderer's, and std::logic_error before the first iteration.
   Image image(int frame, const std::string& output = kRadiance) const;
-  /// The interval that renders the frame, and the frame's number in it. Throws as image() does.
-  std::pair<const Interval&, Frame> place_of(int frame) const;
-  const std::vector<Interval>& intervals() const { return intervals_; }
+  /// The stage on which the frame is rendered, and the frame's number there. Throws as image() does.
+  std::pair<const Stage&, Frame> place_of(int frame) const;
+  /// One for each interval.
+  const std::deque<Stage>& stages() const { return stages_; }
   /// How long all iterations took.
   double seconds() const { return seconds_; }
   std::vector<Statistics> statistics() const;
@@ -51,7 +46,7 @@ class JointRender {
 
  private:
   struct Place {
-    std::size_t interval;
+    std::size_t stage;
     Frame frame;
   };
 
@@ -59,7 +54,7 @@ class JointRender {
 
   std::shared_ptr<const LoadedScene> scene_;
   std::vector<std::string> labels_, outputs_ = {kRadiance};
-  std::vector<Interval> intervals_;
+  std::deque<Stage> stages_;
   std::vector<Place> places_;  // by frame
   int iterations_ = 0;
   double seconds_ = 0;

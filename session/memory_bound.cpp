@@ -15,6 +15,7 @@
 #include "dspm/integrators/guiding/file_sample.h"
 #include "dspm/integrators/photons/memory_needs.h"
 #include "dspm/session/revertible.h"
+#include "dspm/session/stage.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {
@@ -63,6 +64,15 @@ FrameList without(const FrameList& frames, const std::vector<FrameList>& interva
   return rest;
 }
 
+/// A trial's warnings: the run shows them.
+class ShownLater final : public Messages {
+ public:
+  ShownLater() : Messages(true) {}
+
+ protected:
+  void print(std::string_view) const override {}
+};
+
 }  // namespace
 
 /// Makes what a run would make for an interval, and remembers why it did not fit.
@@ -86,25 +96,23 @@ class MemoryBound::Trials {
                               readable_bytes(before), readable_bytes(trees));
       return {};
     }
-    const std::unique_ptr<Scene> scene = world_.scene(frames);
+    Stage stage(job_, world_, frames);
     // What was learned for an earlier trial counts among the integrator's own.
     const std::size_t held = bound_.held() - job_.settings.file->bytes() + kLeeway;
     std::size_t of_machines = 0, taken = held + besides_.writing;
     const auto share = [&] { return taken < bound_.bytes_ ? bound_.bytes_ - taken : 1; };
-    const auto make = [&] {
-      Diagnostics shown_later;
-      return job_.make_integrator(*scene, shown_later, share());
-    };
+    ShownLater messages;
+    const auto make = [&]() -> Integrator& { return stage.make_integrator(messages, {.memory = share()}); };
     try {
-      std::unique_ptr<Integrator> integrator = make();
+      Integrator& integrator = make();
       if (besides_.states > 0) {
-        of_machines = integrator->statistics().bytes + besides_.states * state_bytes(*integrator).value_or(0);
+        of_machines = integrator.statistics().bytes + besides_.states * state_bytes(integrator).value_or(0);
         taken += of_machines;
-        integrator.reset(), integrator = make();
+        make();
       }
-      return Result{share(), integrator->statistics().photon_batches};
+      return Result{share(), stage.integrator().statistics().photon_batches};
     } catch (const NotEnoughMemory& error) {
-      const std::size_t tree = scene->accel->memory();
+      const std::size_t tree = stage.scene().accel->memory();
       const MemoryNeeds& needs = error.least;
       shortage_ =
           needs.learning == needs.total()

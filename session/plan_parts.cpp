@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "dspm/base/math/frames.h"
@@ -13,8 +13,7 @@
 #include "dspm/integrators/guiding/file_sample.h"
 #include "dspm/session/frame_intervals.h"
 #include "dspm/session/part.h"
-#include "dspm/session/session.h"
-#include "dspm/world/scene/scene.h"
+#include "dspm/session/stage.h"
 
 namespace dspm {
 namespace {
@@ -52,18 +51,14 @@ bool try_out(Way& way, const LoadedScene& loaded, double loading, Messages& mess
       parts.begin(), parts.end(), [](const FrameList& a, const FrameList& b) { return a.size() < b.size(); });
   const std::vector<FrameList> intervals =
       FrameIntervals(*loaded.description, largest).cut(loaded.job.plugin->frames_together);
-  std::unique_ptr<Scene> scene;
-  std::unique_ptr<Integrator> integrator;
-  const double making = seconds_of([&] {
-    scene = loaded.world->scene(intervals.front());
-    integrator = make_integrator(loaded.job, *scene, messages);
-  });
-  const int all = loaded.job.iterations(*integrator);
+  std::optional<Stage> stage;
+  const double making = seconds_of([&] { stage.emplace(loaded, intervals.front()).make_integrator(messages); });
+  const int all = loaded.job.iterations(stage->integrator());
   if (all == 0) throw UsageError("--plan: of how many iterations? Give --iterations");
   if (all < way.iterations) return false;
   const int share = Part{1, way.iterations}.share_of(all);
-  const double first = seconds_of([&] { integrator->iterate(0, *scene); });
-  const double usual = seconds_of([&] { integrator->iterate(1, *scene); });
+  const double first = seconds_of([&] { stage->iterate(0); });
+  const double usual = seconds_of([&] { stage->iterate(1); });
   const double learning = std::max(0.0, first - usual);  // later intervals take it over
   way.seconds = loading + learning + static_cast<double>(intervals.size()) * (making + share * usual);
   way.bytes = peak_memory();

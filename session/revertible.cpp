@@ -6,7 +6,6 @@
 
 #include "dspm/base/system/cancellation.h"
 #include "dspm/base/system/state_in_memory.h"
-#include "dspm/world/scene/scene.h"
 
 namespace dspm {
 
@@ -22,12 +21,12 @@ std::optional<std::string> copy_of(Integrator& integrator) {
 
 }  // namespace
 
-void iterate_revertibly(Integrator& integrator, int iteration, const Scene& scene) {
+void iterate_revertibly(Integrator& integrator, const Iteration& iteration) {
   const std::optional<std::string> before = copy_of(integrator);
-  if (!before) return integrator.iterate(iteration, scene);
+  if (!before) return integrator.iterate(iteration);
   try {
     const Cancellable nothing_is_lost;
-    integrator.iterate(iteration, scene);
+    integrator.iterate(iteration);
   } catch (...) {
     load_state(*before, integrator);
     throw;

@@ -4,15 +4,14 @@
 #include <limits>
 #include <new>
 
+#include "dspm/base/math/frames.h"
 #include "dspm/base/system/cancellation.h"
 #include "dspm/base/system/readable.h"
-#include "dspm/integrators/beside/given_up.h"
 #include "dspm/session/block.h"
 #include "dspm/session/can_part.h"
 #include "dspm/session/modules/all_plugins.h"
 #include "dspm/session/out_of_memory.h"
 #include "dspm/session/revertible.h"
-#include "dspm/world/scene/scene.h"
 
 namespace dspm {
 namespace {
@@ -29,27 +28,7 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// Returns what make(diagnostics) returns, once the diagnostics are shown.
-template <class Make>
-std::unique_ptr<Integrator> made(Messages& messages, Make&& make) {
-  Diagnostics diagnostics;
-  std::unique_ptr<Integrator> integrator = make(diagnostics);
-  messages.show(diagnostics);
-  diagnostics.throw_if_errors();
-  return integrator;
-}
-
 }  // namespace
-
-std::unique_ptr<Integrator> make_integrator(const Job& job, const Scene& scene, Messages& messages,
-                                            std::size_t memory) {
-  return made(messages, [&](Diagnostics& diagnostics) { return job.make_integrator(scene, diagnostics, memory); });
-}
-
-std::unique_ptr<Integrator> make_without_error(const Job& job, const Scene& scene, Messages& messages,
-                                               std::size_t memory) {
-  return made(messages, [&](Diagnostics& diagnostics) { return job.make_without_error(scene, diagnostics, memory); });
-}
 
 Session::Session(const LoadedScene& loaded, const std::vector<FrameList>& intervals, const MemoryBound& memory,
                  const SessionSettings& settings, Messages& messages, SessionObserver& observer)
@@ -82,30 +61,31 @@ void Session::render_interval(std::size_t index) {
   const Share time{Clock::now(), time_share(index)};
   observer_.step_begins("making the scene", "");
   const Places places = index < settings_.places.size() ? settings_.places[index] : Places{intervals_[index], {}};
-  const std::unique_ptr<Scene> scene = loaded_.world->scene(places.frames);
-  const auto make = [&](std::size_t bytes) {
-    std::unique_ptr<Integrator> own = make_without_error(loaded_.job, *scene, messages_, bytes);
-    if (!settings_.share_out) return own;
-    const int all = iterations_of(*own);
-    Diagnostics shown_before;
-    return settings_.share_out(index, places.frames, std::move(own),
-                               loaded_.job.make_without_error(*scene, shown_before, bytes), all);
-  };
-  const std::unique_ptr<Integrator> integrator =
-      without_given_up(loaded_.job.with_error(make, *scene, memory_.for_integrator(index)),
-                       static_cast<int>(places.frames.size()), places.given_up);
-  const int iterations = iterations_of(*integrator);
+  Stage stage(loaded_, places.frames);
+  equip(stage, index, places.given_up);
+  Integrator& integrator = stage.integrator();
+  const int iterations = iterations_of(integrator);
   if (iterations == 0 && settings_.time_limit == 0 && loaded_.job.until_error == 0 && intervals_.size() > 1)
     throw UsageError(
         fmt::format("the first of {} frame intervals would never end: give --time-limit, --iterations or --until-error",
                     intervals_.size()));
-  if (index == 0) observer_.ready(*scene, *integrator, iterations);
-  const IntervalProgress progress = iterate_to_the_end(index, *scene, *integrator, iterations, time);
-  observer_.interval_ends(progress, *scene, *integrator);
+  if (index == 0) observer_.ready(stage.scene(), integrator, iterations);
+  const IntervalProgress progress = iterate_to_the_end(index, stage, iterations, time);
+  observer_.interval_ends(progress, stage.scene(), integrator);
 }
 
-IntervalProgress Session::iterate_to_the_end(std::size_t index, const Scene& scene, Integrator& integrator,
-                                             int iterations, const Share& time) {
+void Session::equip(Stage& stage, std::size_t index, FrameSet given_up) {
+  StageSettings settings{.memory = memory_.for_integrator(index), .given_up = given_up};
+  if (settings_.share_out)
+    settings.share_out = [&](std::unique_ptr<Integrator> sum, std::unique_ptr<Integrator> own) {
+      const int all = iterations_of(*sum);
+      return settings_.share_out(index, stage, std::move(sum), std::move(own), all);
+    };
+  stage.make_integrator(messages_, settings);
+}
+
+IntervalProgress Session::iterate_to_the_end(std::size_t index, const Stage& stage, int iterations, const Share& time) {
+  Integrator& integrator = stage.integrator();
   IntervalProgress progress = observer_.interval_begins(index, integrator);
   progress.error = worst_error(integrator);
   const double seconds_before = progress.seconds;
@@ -135,7 +115,7 @@ IntervalProgress Session::iterate_to_the_end(std::size_t index, const Scene& sce
       if (const int more = observer_.more_iterations(progress, integrator)) more_until = progress.iterations + more;
     return !finished();
   };
-  while (goes_on() && iterate(progress, scene, integrator, expected())) {
+  while (goes_on() && iterate(progress, stage, expected())) {
     const int before = progress.iterations;
     progress.iterations = Block::from(before, iterations, settings_.block).end;
     progress.seconds = seconds_before + seconds_since(time.begin);
@@ -180,20 +160,20 @@ bool Session::can_copy(Integrator& integrator, std::size_t index) const {
   return share > 0 ? statistics.bytes + *copy <= share : *copy <= kSmall || 2 * *copy <= statistics.bytes;
 }
 
-void Session::iterate_cancellably(const IntervalProgress& before, const Scene& scene, Integrator& integrator,
-                                  double expected) const {
-  const int iteration = settings_.part.iteration(before.iterations);
+void Session::iterate_cancellably(const IntervalProgress& before, const Stage& stage, double expected) const {
+  Integrator& integrator = stage.integrator();
+  const Iteration iteration = stage.iteration(settings_.part.iteration(before.iterations));
   if (before.iterations == 0) {  // nothing can be lost
     const Cancellable cancellable;
-    return integrator.iterate(iteration, scene);
+    return integrator.iterate(iteration);
   }
   if (expected >= settings_.long_iteration && can_copy(integrator, before.index))
-    return iterate_revertibly(integrator, iteration, scene);
+    return iterate_revertibly(integrator, iteration);
   const Cancellable cancellable(Cancellable::Loss::results);
-  integrator.iterate(iteration, scene);
+  integrator.iterate(iteration);
 }
 
-bool Session::iterate(const IntervalProgress& before, const Scene& scene, Integrator& integrator, double expected) {
+bool Session::iterate(const IntervalProgress& before, const Stage& stage, double expected) {
   constexpr std::size_t kLibraries = 1 << 20;  // for OpenEXR and zlib
   const std::string step = fmt::format("iteration {}", before.iterations + 1);
   observer_.step_begins(step, integrator_);
@@ -201,12 +181,12 @@ bool Session::iterate(const IntervalProgress& before, const Scene& scene, Integr
     // Address space only. It is free again in the catch clause, so that images can be written even if memory runs out.
     const std::unique_ptr<char[]> reserve(new (std::nothrow) char[settings_.bytes_for_writing + kLibraries]);
     asm volatile("" : : "g"(reserve.get()) : "memory");  // else compilers may drop the unused allocation
-    naming_memory_step([&] { return step; }, [&] { iterate_cancellably(before, scene, integrator, expected); });
+    naming_memory_step([&] { return step; }, [&] { iterate_cancellably(before, stage, expected); });
     return true;
   } catch (const Cancelled&) {
     return false;
   } catch (...) {
-    if (before.iterations > 0) write(before, integrator, SessionObserver::Images::after_failure);
+    if (before.iterations > 0) write(before, stage.integrator(), SessionObserver::Images::after_failure);
     observer_.iteration_failed();
     throw;
   }

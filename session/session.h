@@ -9,14 +9,15 @@
 #include <string>
 #include <vector>
 
+#include "dspm/base/math/frames.h"
 #include "dspm/session/frame_intervals.h"
 #include "dspm/session/load.h"
 #include "dspm/session/memory_bound.h"
 #include "dspm/session/observer.h"
 #include "dspm/session/part.h"
 #include "dspm/session/run_warnings.h"
+#include "dspm/session/stage.h"
 #include "dspm/session/write_schedule.h"
-#include "dspm/world/scene/scene.h"
 
 namespace dspm {
 
@@ -29,9 +30,9 @@ struct SessionSettings {
   double long_iteration = 5;
   Part part = {};  // of all iterations
   /// Makes an integrator that other machines help, from an interval's integrator and another one like it: its
-  /// iterate(i) does all iterations of a block of that size. `frames` are the integrator's; `all` is the number of
+  /// iterate(i) does all iterations of a block of that size. The stage is the interval's; `all` is the number of
   /// iterations of the interval, 0 if it runs until stopped. If empty, the integrator iterates alone.
-  std::function<std::unique_ptr<Integrator>(std::size_t interval, const FrameList& frames, std::unique_ptr<Integrator>,
+  std::function<std::unique_ptr<Integrator>(std::size_t interval, const Stage& stage, std::unique_ptr<Integrator>,
                                             std::unique_ptr<Integrator>, int all)>
       share_out = {};
   int block = 1;
@@ -60,14 +61,14 @@ class Session {
   /// Returns the iterations of an interval; 0 if it runs until stopped.
   int iterations_of(const Integrator& integrator) const;
   void render_interval(std::size_t index);
-  IntervalProgress iterate_to_the_end(std::size_t index, const Scene& scene, Integrator& integrator, int iterations,
-                                      const Share& time);
+  /// Makes the integrator.
+  void equip(Stage& stage, std::size_t index, FrameSet given_up);
+  IntervalProgress iterate_to_the_end(std::size_t index, const Stage& stage, int iterations, const Share& time);
   /// Returns false if the iteration was cancelled. `expected` is the number of seconds that it may take.
-  bool iterate(const IntervalProgress& before, const Scene& scene, Integrator& integrator, double expected);
+  bool iterate(const IntervalProgress& before, const Stage& stage, double expected);
   /// Returns whether a copy of the integrator's state can be afforded.
   bool can_copy(Integrator& integrator, std::size_t index) const;
-  void iterate_cancellably(const IntervalProgress& before, const Scene& scene, Integrator& integrator,
-                           double expected) const;
+  void iterate_cancellably(const IntervalProgress& before, const Stage& stage, double expected) const;
   /// Warns of what went badly in the interval and, if an error is to be reached, says how large it is.
   void judge(const IntervalProgress& progress, const Integrator& integrator);
   void write(const IntervalProgress& progress, Integrator& integrator, SessionObserver::Images images);
@@ -85,12 +86,5 @@ class Session {
   RunWarnings warnings_;
   Clock::time_point begin_ = Clock::now();
 };
-
-/// Shows warnings; throws SceneError if the integrator cannot be made.
-std::unique_ptr<Integrator> make_integrator(const Job& job, const Scene& scene, Messages& messages,
-                                            std::size_t memory = 0);
-/// Makes the integrator as Job::make_without_error does; shows warnings and throws likewise.
-std::unique_ptr<Integrator> make_without_error(const Job& job, const Scene& scene, Messages& messages,
-                                               std::size_t memory);
 
 }  // namespace dspm

@@ -26,7 +26,7 @@ std::vector<Image> images_of(const Integrator& integrator, const Scene& scene) {
 }
 
 void iterate(Integrator& integrator, const Scene& scene, int first, int end) {
-  for (int i = first; i < end; ++i) integrator.iterate(i, scene);
+  for (int i = first; i < end; ++i) integrator.iterate({i, scene});
 }
 
 /// Runs `before` iterations on one integrator, the others on another one that takes over its state.

@@ -5,6 +5,7 @@
 #include "dspm/base/math/frames.h"
 #include "dspm/image/image.h"
 #include "dspm/session/load.h"
+#include "dspm/session/stage.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm::test {
@@ -45,7 +46,7 @@ std::unique_ptr<Scene> TestScene::scene(const std::vector<FileFrame>& frames) co
 std::unique_ptr<Integrator> TestScene::integrator(const Scene& scene, const std::string& name, std::size_t memory) {
   Job job = this->job();
   if (!name.empty()) job.plugin = integrator_plugins().find(name), job.integrator = name;
-  auto made = job.make_integrator(scene, impl_->diagnostics, memory);
+  auto made = make_integrator(job, scene, impl_->diagnostics, memory);
   impl_->diagnostics.throw_if_errors();
   return made;
 }
@@ -53,7 +54,7 @@ std::unique_ptr<Integrator> TestScene::integrator(const Scene& scene, const std:
 Image TestScene::render(FileFrame frame, int iterations, const std::string& name) {
   const auto alone = scene({frame});
   const auto made = integrator(*alone, name);
-  for (int i = 0; i < iterations; ++i) made->iterate(i, *alone);
+  for (int i = 0; i < iterations; ++i) made->iterate({i, *alone});
   return made->estimate(0);
 }
 
@@ -62,7 +63,7 @@ std::vector<Image> TestScene::render_all(int iterations) {
   for (const std::vector<FileFrame>& frames : intervals()) {
     const auto together = scene(frames);
     const auto made = integrator(*together);
-    for (int i = 0; i < iterations; ++i) made->iterate(i, *together);
+    for (int i = 0; i < iterations; ++i) made->iterate({i, *together});
     for (Frame frame = 0; frame < together->frame_count(); ++frame) images.push_back(made->estimate(frame));
   }
   return images;

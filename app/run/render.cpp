@@ -16,7 +16,7 @@
 #include "dspm/session/job/frame_choice.h"
 #include "dspm/session/modules/all_plugins.h"
 #include "dspm/session/out_of_memory.h"
-#include "dspm/world/scene/scene.h"
+#include "dspm/session/stage.h"
 
 namespace dspm {
 namespace {
@@ -134,8 +134,7 @@ int render_scene(const Options& options, Link* others) {
 int check_scene(const Options& options) {
   return with_render(options, "checking the scene", nullptr,
                      [&](Render&, const LoadedScene& loaded, Messages& messages) {
-                       const std::unique_ptr<Scene> scene = loaded.world->scene({loaded.job.frames.data(), 1});
-                       make_integrator(loaded.job, *scene, messages);
+                       Stage(loaded, {loaded.job.frames.front()}).make_integrator(messages);
                        keep_guide(options, loaded.job);
                        messages.say("scene ok: {}", summary_of(loaded));
                        return 0;

@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <memory>
 
 #include "dspm/app/tasks/templates.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/session/can_part.h"
 #include "dspm/session/load.h"
-#include "dspm/session/session.h"
-#include "dspm/world/scene/scene.h"
+#include "dspm/session/stage.h"
 
 namespace dspm {
 namespace {
@@ -39,10 +37,10 @@ void expect_parts_can_render(const Options& options) {
   const ThreadLimit threads(options.threads);
   Messages messages(true);  // of the scene, parts show them
   const LoadedScene loaded(options.scenes, options, messages);
-  const std::unique_ptr<Scene> scene = loaded.world->scene({loaded.job.frames.data(), 1});
-  const std::unique_ptr<Integrator> integrator = make_integrator(loaded.job, *scene, messages);
-  expect_parts(loaded.job, *integrator, "--farm " + options.farm);
-  const int all = loaded.job.iterations(*integrator);
+  Stage stage(loaded, {loaded.job.frames.front()});
+  const Integrator& integrator = stage.make_integrator(messages);
+  expect_parts(loaded.job, integrator, "--farm " + options.farm);
+  const int all = loaded.job.iterations(integrator);
   if (all == 0 && options.time_limit == 0)
     throw UsageError(fmt::format("--farm {}: of how many iterations? Give --iterations or --time-limit", options.farm));
   if (all > 0) expect_enough_iterations(all, {1, parts_of(options)}, fmt::format("--parts {}", parts_of(options)));

@@ -12,7 +12,7 @@
 #include "dspm/session/checkpoint/guide_file.h"
 #include "dspm/session/checkpoint/merged_parts.h"
 #include "dspm/session/load.h"
-#include "dspm/world/scene/scene.h"
+#include "dspm/session/stage.h"
 
 namespace dspm {
 namespace {
@@ -52,15 +52,15 @@ class Merge {
   void merge(const IntervalProgress& progress) {
     if (progress.iterations == 0 || InterruptRequests::signal() != 0) return;
     const FrameList& frames = parts_.intervals()[progress.index];
-    const std::unique_ptr<Scene> scene = loaded_.world->scene(frames);
-    const std::unique_ptr<Integrator> integrator = make_integrator(loaded_.job, *scene, messages_);
-    parts_.load(progress.index, *integrator);
-    if (!std::exchange(has_begun_, true)) checkpoints_.begin(parts_.intervals(), *integrator);
-    checkpoints_.save(progress, *integrator);
-    results_.write(frames, *integrator, progress.seconds, Results::Images::last);
+    Stage stage(loaded_, frames);
+    Integrator& integrator = stage.make_integrator(messages_);
+    parts_.load(progress.index, integrator);
+    if (!std::exchange(has_begun_, true)) checkpoints_.begin(parts_.intervals(), integrator);
+    checkpoints_.save(progress, integrator);
+    results_.write(frames, integrator, progress.seconds, Results::Images::last);
     report_.seconds += progress.seconds;
-    report_.tree_bytes = std::max(report_.tree_bytes, scene->accel->memory());
-    report_.add(integrator->statistics(), frames);
+    report_.tree_bytes = std::max(report_.tree_bytes, stage.scene().accel->memory());
+    report_.add(integrator.statistics(), frames);
   }
 
   const LoadedScene& loaded_;

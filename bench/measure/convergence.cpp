@@ -25,7 +25,7 @@ class Renderer {
   }
 
   void iterate() {
-    for (Run& run : runs_) run.integrator->iterate(iterations_, *run.scene);
+    for (Run& run : runs_) run.integrator->iterate({iterations_, *run.scene});
     ++iterations_;
   }
   int iterations() const { return iterations_; }
@@ -104,7 +104,7 @@ Images render_for(const LoadedScene& loaded, const Method& method, double limit)
 Images rendered(const Scene& scene, const char* integrator, Job job, int seed, int iterations) {
   job.settings.seed += static_cast<std::uint64_t>(seed);
   const std::unique_ptr<Integrator> made = start(std::move(job), integrator, scene);
-  for (int i = 0; i < iterations; ++i) made->iterate(i, scene);
+  for (int i = 0; i < iterations; ++i) made->iterate({i, scene});
   Images images;
   for (Frame f = 0; f < scene.frame_count(); ++f) images.push_back(made->estimate(f));
   return images;

@@ -54,7 +54,7 @@ RecordedRays record(const Run& run, int iteration, std::size_t most) {
   Recording nearest(most), shadow(most);
   std::unique_ptr<Accel> own = std::move(run.scene->accel);
   run.scene->accel = std::make_unique<Recorder>(*own, nearest, shadow);
-  run.integrator->iterate(iteration, *run.scene);
+  run.integrator->iterate({iteration, *run.scene});
   run.scene->accel = std::move(own);
   return {nearest.take(), shadow.take()};
 }

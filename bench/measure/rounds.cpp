@@ -30,7 +30,7 @@ StepSeconds mean_iteration(const Group& group, int iteration) {
 StepSeconds timed_iteration(const Run& run, int iteration) {
   Integrator& integrator = *run.integrator;
   const Statistics before = integrator.statistics();
-  integrator.iterate(iteration, *run.scene);
+  integrator.iterate({iteration, *run.scene});
   const Statistics after = integrator.statistics();
   StepSeconds seconds{};
   for (std::size_t i = 0; i < after.steps.size(); ++i) {

@@ -7,6 +7,7 @@
 
 #include "dspm/base/math/frames.h"
 #include "dspm/integrators/guiding/file_sample.h"
+#include "dspm/session/stage.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {
@@ -68,7 +69,7 @@ std::unique_ptr<Integrator> start(Job job, const char* integrator, const Scene& 
   job.plugin = integrator_plugins().find(integrator), job.integrator = integrator;
   job.settings.file->forget();
   Diagnostics diagnostics;
-  std::unique_ptr<Integrator> made = job.make_integrator(scene, diagnostics);
+  std::unique_ptr<Integrator> made = make_integrator(job, scene, diagnostics);
   diagnostics.throw_if_errors();
   return made;
 }

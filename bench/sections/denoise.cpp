@@ -86,7 +86,7 @@ float half_of_median(const Image& image) {
 std::vector<std::string> measure_one(const Example& example, int reference_iterations) {
   const LoadedScene loaded = load(our_scene(example.name), choices_of(example));
   const Run run = start(loaded, loaded.job, example.integrator, loaded.job.frames);
-  for (int i = 0; i < kIterations; ++i) run.integrator->iterate(i, *run.scene);
+  for (int i = 0; i < kIterations; ++i) run.integrator->iterate({i, *run.scene});
   Images plain, filtered;
   for (Frame f = 0; f < run.scene->frame_count(); ++f) {
     plain.push_back(run.integrator->estimate(f));

@@ -42,7 +42,7 @@ std::string found_table(const LoadedScene& loaded) {
 /// Iterations of dsppm without learning, and the time and error that they end with.
 ErrorPoint without_learning(const LoadedScene& loaded, const Images& truth, int iterations) {
   const Run run = start(loaded, by_power(loaded.job), "dsppm", loaded.job.frames);
-  for (int i = 0; i < iterations; ++i) run.integrator->iterate(i, *run.scene);
+  for (int i = 0; i < iterations; ++i) run.integrator->iterate({i, *run.scene});
   Images images;
   for (Frame f = 0; f < run.scene->frame_count(); ++f) images.push_back(run.integrator->estimate(f));
   return {iterations, seconds(run.integrator->statistics()), error_of(images, truth)};

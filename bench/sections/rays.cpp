@@ -120,7 +120,7 @@ struct Tables {
 void compare(Tables& tables, const char* name, const LoadedScene& loaded, const Setup& setup) {
   say("{}", name);
   const Run run = start(loaded, with_text(loaded.job, "direct", "sampled"), "sppm", {loaded.job.frames.front()});
-  run.integrator->iterate(0, *run.scene);
+  run.integrator->iterate({0, *run.scene});
   const Rivals rivals(*run.scene);
   compare_rays(tables.rays, name, record(run, 1, setup.quick ? 100'000 : 400'000), rivals, setup.quick ? 9 : 21);
   compare_builders(tables.builders, name, *run.scene, rivals, setup.quick ? 3 : 7);

@@ -30,11 +30,11 @@ class Ambient final : public Integrator {
   int iterations() const override { return iterations_; }
   std::string settings() const override { return "distance " + std::to_string(distance_); }
 
-  void iterate(int iteration, const Scene& scene) override {
+  void iterate(const Iteration& iteration) override {
     const StepTimer timer(statistics_.steps[0]);
     parallel_for(render_.crop.height(), 1, [&](std::int64_t row) {
       const int y = render_.crop.y0 + static_cast<int>(row);
-      for (int x = render_.crop.x0; x < render_.crop.x1; ++x) look(scene, x, y, static_cast<std::uint64_t>(iteration));
+      for (int x = render_.crop.x0; x < render_.crop.x1; ++x) look(iteration, x, y);
     });
     ++statistics_.iterations;
   }
@@ -57,8 +57,10 @@ class Ambient final : public Integrator {
 
  private:
   /// One camera ray of the pixel, in all frames.
-  void look(const Scene& scene, int x, int y, std::uint64_t iteration) {
-    const PathRandom random(render_.seed, Stream::camera, camera_path_index(render_, x, y), iteration);
+  void look(const Iteration& iteration, int x, int y) {
+    const Scene& scene = iteration.scene;
+    const PathRandom random(render_.seed, Stream::camera, camera_path_index(render_, x, y),
+                            static_cast<std::uint64_t>(iteration.number));
     const int pixel = pixel_in_crop(render_.crop, x, y);
     const Vec2 film = film_point(render_, x, y, random);
     scene.camera.for_each(scene.frames(), [&](FrameSet frames, const Camera& camera) {

@@ -96,10 +96,10 @@ class LightTracer final : public SummingIntegrator {
   int iterations() const override { return iterations_; }
   std::string settings() const override { return std::to_string(photons_) + " photons per iteration"; }
 
-  void iterate(int iteration, const Scene& scene) override {
+  void iterate(const Iteration& iteration) override {
     done_.advance([&](SeenLightSums& sums, Statistics& statistics) {
       const StepTimer timer(statistics.steps[0]);
-      for (const Chunk& chunk : traced(iteration, scene)) {
+      for (const Chunk& chunk : traced(iteration)) {
         statistics.photon += chunk.counts;
         statistics.counters.add("splats", chunk.splats.size());
         for (const SeenLight& splat : chunk.splats) sums.add(splat);
@@ -119,12 +119,12 @@ class LightTracer final : public SummingIntegrator {
     return statistics;
   }
 
-  std::vector<Chunk> traced(int iteration, const Scene& scene) const {
+  std::vector<Chunk> traced(const Iteration& iteration) const {
     constexpr int kGrain = 4096;  // fixed, so that sums have the same order with any number of threads
     std::vector<Chunk> chunks(static_cast<std::size_t>(chunk_count(photons_, kGrain)));
     parallel_chunks(photons_, kGrain, [&](std::int64_t begin, std::int64_t end) {
-      PhotonTracer tracer(scene, render_, photons_, max_depth_);
-      for (std::int64_t i = begin; i < end; ++i) tracer.trace(static_cast<std::uint64_t>(i), iteration);
+      PhotonTracer tracer(iteration.scene, render_, photons_, max_depth_);
+      for (std::int64_t i = begin; i < end; ++i) tracer.trace(static_cast<std::uint64_t>(i), iteration.number);
       chunks[static_cast<std::size_t>(begin / kGrain)] = {tracer.splats(), tracer.counts()};
     });
     return chunks;

@@ -140,8 +140,8 @@ class ErrorEstimate final : public WrappingIntegrator {
     return sizeof(float) * kSlots * static_cast<std::size_t>(frames) * Sample(crop).size();
   }
 
-  void iterate(int iteration, const Scene& scene) override {
-    inner_->iterate(iteration, scene);
+  void iterate(const Iteration& iteration) override {
+    inner_->iterate(iteration);
     const int done = inner_->statistics().iterations;
     if (const std::optional<std::size_t> slot = slot_of(done, marks_per_octave_)) compare(*slot, done);
   }

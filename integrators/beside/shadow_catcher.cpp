@@ -29,10 +29,10 @@ class ShadowCatcher final : public WrappingIntegrator {
   ShadowCatcher(std::unique_ptr<Integrator> with, std::unique_ptr<Integrator> without)
       : WrappingIntegrator(std::move(with)), without_(std::move(without)) {}
 
-  void iterate(int iteration, const Scene& scene) override {
-    inner_->iterate(iteration, scene);
+  void iterate(const Iteration& iteration) override {
+    inner_->iterate(iteration);
     const StepTimer timer(step_);
-    without_->iterate(iteration, *scene.without_objects);
+    without_->iterate({iteration.number, *iteration.scene.without_objects});
   }
 
   std::vector<OutputInfo> outputs() const override {

@@ -92,14 +92,14 @@ class SurfaceOutputs final : public WrappingIntegrator {
     return each * static_cast<std::size_t>(pixels) * static_cast<std::size_t>(frames);
   }
 
-  void iterate(int iteration, const Scene& scene) override {
-    inner_->iterate(iteration, scene);
+  void iterate(const Iteration& iteration) override {
+    inner_->iterate(iteration);
     ++iterations_;
     const StepTimer timer(step_);
     parallel_for(tile_count(render_.crop, kTileSide), 1, [&](std::int64_t t) {
-      ClearSight sight(scene);
+      ClearSight sight(iteration.scene);
       for_each_pixel_of_tile(render_.crop, kTileSide, static_cast<int>(t),
-                             [&](int x, int y) { look(scene, sight, x, y, static_cast<std::uint64_t>(iteration)); });
+                             [&](int x, int y) { look(iteration, sight, x, y); });
     });
   }
 
@@ -143,7 +143,8 @@ class SurfaceOutputs final : public WrappingIntegrator {
   }
 
   /// Follows one camera ray in all frames.
-  void look(const Scene& scene, ClearSight& sight, int x, int y, std::uint64_t iteration) {
+  void look(const Iteration& iteration, ClearSight& sight, int x, int y) {
+    const Scene& scene = iteration.scene;
     const auto meet = [&](const CameraPath& path) {
       for (const FrameHit& part : scene.accel->partition(path.ray, path.frames)) {
         if (part.hit.missed()) {
@@ -159,7 +160,8 @@ class SurfaceOutputs final : public WrappingIntegrator {
           });
       }
     };
-    start_camera_paths(scene, render_, x, y, iteration, meet, [](const CameraPath&) {});
+    start_camera_paths(scene, render_, x, y, static_cast<std::uint64_t>(iteration.number), meet,
+                       [](const CameraPath&) {});
   }
 
   void look_on(const Scene& scene, ClearSight& sight, const CameraPath& start, const Vertex& first) {

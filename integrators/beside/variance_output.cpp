@@ -34,8 +34,8 @@ class VarianceOutput final : public WrappingIntegrator {
     return 2 * sizeof(Rgb) * static_cast<std::size_t>(frames) * static_cast<std::size_t>(crop.count());
   }
 
-  void iterate(int iteration, const Scene& scene) override {
-    inner_->iterate(iteration, scene);
+  void iterate(const Iteration& iteration) override {
+    inner_->iterate(iteration);
     ++done_;
     const StepTimer timer(step_);
     parallel_for(frames_, 1, [&](std::int64_t f) { add(inner_->estimate(static_cast<Frame>(f), kRadiance), f); });

@@ -9,7 +9,6 @@
 #include "dspm/base/math/frames.h"
 #include "dspm/image/image.h"
 #include "dspm/integrators/integrator.h"
-#include "dspm/world/scene/scene.h"
 
 namespace dspm {
 
@@ -17,7 +16,7 @@ class WrappingIntegrator : public Integrator {
  public:
   int iterations() const override { return inner_->iterations(); }
   std::string settings() const override { return inner_->settings(); }
-  void iterate(int iteration, const Scene& scene) override { inner_->iterate(iteration, scene); }
+  void iterate(const Iteration& iteration) override { inner_->iterate(iteration); }
   std::vector<OutputInfo> outputs() const override { return inner_->outputs(); }
   Image estimate(Frame frame, const std::string& output) const override { return inner_->estimate(frame, output); }
   Statistics statistics() const override { return inner_->statistics(); }

@@ -90,9 +90,9 @@ class AmbientOcclusion final : public SummingIntegrator {
     return fmt::format("one ray to the sky per pixel and iteration, maxdistance {}", hemisphere_.distance);
   }
 
-  void iterate(int iteration, const Scene& scene) override {
+  void iterate(const Iteration& iteration) override {
     done_.advance([&](SeenLightSums& sums, Statistics& statistics) {
-      trace(scene, static_cast<std::uint64_t>(iteration), sums, statistics);
+      trace(iteration.scene, static_cast<std::uint64_t>(iteration.number), sums, statistics);
     });
   }
 

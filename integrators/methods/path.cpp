@@ -47,9 +47,9 @@ class Path final : public SummingIntegrator {
                        limits_.indirect ? "" : ", direct light only");
   }
 
-  void iterate(int iteration, const Scene& scene) override {
+  void iterate(const Iteration& iteration) override {
     done_.advance([&](SeenLightSums& sums, Statistics& statistics) {
-      trace_paths(scene, static_cast<std::uint64_t>(iteration), sums, statistics);
+      trace_paths(iteration.scene, static_cast<std::uint64_t>(iteration.number), sums, statistics);
     });
   }
 

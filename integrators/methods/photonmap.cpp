@@ -5,7 +5,6 @@
 // by shadow rays, caustics from their map, and the rest from the global map, by default at the hit point itself, or
 // through final gather rays, which scatter at most four times off smooth lobes. Biased: the maps' blur remains.
 // Parameters: see make_photonmap below.
-#include "dspm/integrators/guiding/emission_of_file.h"
 #include "dspm/integrators/methods/photonmap.h"
 
 #include <fmt/format.h>
@@ -15,6 +14,7 @@
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/base/system/parallel.h"
+#include "dspm/integrators/guiding/emission_of_file.h"
 #include "dspm/integrators/max_depth.h"
 #include "dspm/integrators/photons/final_gather.h"
 #include "dspm/integrators/photons/hidden_light.h"
@@ -133,12 +133,12 @@ class PhotonMapper final : public SummingIntegrator {
                        settings_.caustic_photons, settings_.final_gather);
   }
 
-  void iterate(int number, const Scene& scene) override {
-    const auto iteration = static_cast<std::uint64_t>(number);
+  void iterate(const Iteration& iteration) override {
+    const auto number = static_cast<std::uint64_t>(iteration.number);
     done_.advance([&](SeenLightSums& sums, Statistics& statistics) {
-      if (!has_maps_) make_maps(scene, statistics);
-      trace_camera_paths(scene, iteration, statistics);
-      gather_tiles(scene, iteration, sums, statistics);
+      if (!has_maps_) make_maps(iteration.scene, statistics);
+      trace_camera_paths(iteration.scene, number, statistics);
+      gather_tiles(iteration.scene, number, sums, statistics);
     });
     has_maps_ = true;
   }

@@ -1,4 +1,3 @@
-#include "dspm/integrators/guiding/emission_of_file.h"
 #include "dspm/integrators/methods/progressive.h"
 
 #include <cmath>
@@ -10,6 +9,7 @@
 #include "dspm/base/system/parallel.h"
 #include "dspm/image/image.h"
 #include "dspm/integrators/caught_light.h"
+#include "dspm/integrators/guiding/emission_of_file.h"
 #include "dspm/integrators/guiding/learn_indirect.h"
 #include "dspm/integrators/methods/group_sums.h"
 #include "dspm/integrators/methods/photon_batches.h"
@@ -57,10 +57,10 @@ class Progressive final : public Integrator {
   int iterations() const override { return settings_.iterations; }
   std::string settings() const override { return in_words(settings_); }
 
-  void iterate(int number, const Scene& scene) override {
+  void iterate(const Iteration& iteration) override {
     const Statistics before = statistics_;
     try {
-      iterate_once(number, scene);
+      iterate_once(iteration.number, iteration.scene);
     } catch (...) {
       statistics_ = before;
       throw;

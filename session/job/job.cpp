@@ -12,10 +12,6 @@
 #include "dspm/base/params/only_text.h"
 #include "dspm/base/params/params.h"
 #include "dspm/base/system/readable.h"
-#include "dspm/integrators/beside/error_estimate.h"
-#include "dspm/integrators/beside/shadow_catcher.h"
-#include "dspm/integrators/beside/variance_output.h"
-#include "dspm/integrators/caught_light.h"
 #include "dspm/session/job/frame_choice.h"
 #include "dspm/session/job/integrator_choice.h"
 #include "dspm/session/job/output_choice.h"
@@ -25,11 +21,6 @@
 
 namespace dspm {
 namespace {
-
-bool gives(const Integrator& integrator, const char* name) {
-  const std::vector<OutputInfo> outputs = integrator.outputs();
-  return std::any_of(outputs.begin(), outputs.end(), [&](const OutputInfo& output) { return output.name == name; });
-}
 
 bool asks_for_shadow_catchers(const SceneDescription& description) {
   const auto asks = [](const ShapeUse& use) { return is_true(use.params, kShadowCatcherParam); };
@@ -191,15 +182,6 @@ std::string noise_of(const Job& job, const SamplerSettings& sampler, const Choic
   return own != nullptr ? *own : sampler.noise;
 }
 
-/// Returns the settings of the scene's frames, which share them; null if they are the job's.
-const Job::OwnIntegrator* own_integrator(const Job& job, const Scene& scene) {
-  if (job.own_integrators.empty() || scene.file_frames.empty()) return nullptr;
-  const PluginUse* const use = job.description->own_integrator_of(scene.file_frames.front());
-  for (const Job::OwnIntegrator& own : job.own_integrators)
-    if (own.use == use) return &own;
-  return nullptr;
-}
-
 }  // namespace
 
 std::string Job::frames_in_words() const {
@@ -215,37 +197,6 @@ int Job::iterations(const Integrator& made) const {
   if (until_error > 0) return 0;
   const int asked = made.iterations();
   return quick && asked > 0 ? std::max(1, asked / kQuickShare) : asked;
-}
-
-std::unique_ptr<Integrator> Job::make_integrator(const Scene& scene, Diagnostics& diagnostics,
-                                                 std::size_t memory) const {
-  const auto make = [&](std::size_t bytes) { return make_without_error(scene, diagnostics, bytes); };
-  return with_error(make, scene, memory);
-}
-
-std::unique_ptr<Integrator> Job::with_error(const MakeWithin& make, const Scene& scene, std::size_t memory) const {
-  const int marks_per_octave = until_error > 0 ? 8 : 2;  // each takes an image of every frame
-  return with_error_estimate(make, scene, settings.crop, marks_per_octave, memory);
-}
-
-std::unique_ptr<Integrator> Job::make_without_error(const Scene& scene, Diagnostics& diagnostics,
-                                                    std::size_t memory) const {
-  const auto make = [&](const Scene& of, const RenderSettings& bounded) {
-    const OwnIntegrator* const own = own_integrator(*this, scene);
-    ParamReader reader(own != nullptr ? own->params : params, fmt::format("integrator \"{}\"", plugin->name),
-                       own != nullptr ? own->use->where : where, diagnostics);
-    std::unique_ptr<Integrator> bare = plugin->make(reader, of, bounded);
-    if (bare == nullptr || !has_catchers(of) || gives(*bare, kCaughtLight)) return bare;
-    diagnostics.error(where, fmt::format("integrator \"{}\" knows no shadow catchers", plugin->name),
-                      "dsppm, sppm, vcm, path and photonmap do");
-    return std::unique_ptr<Integrator>();
-  };
-  const auto make_with_outputs = [&](std::size_t bytes) { return with_shadow_catchers(make, scene, settings, bytes); };
-  std::unique_ptr<Integrator> made = with_variance_output(make_with_outputs, scene, settings, memory);
-  if (made == nullptr && diagnostics.error_count() == 0)
-    diagnostics.error(where, fmt::format("integrator \"{}\" cannot be made: its factory returned null", plugin->name));
-  if (made != nullptr) check_outputs(made->outputs(), settings.outputs, integrator, diagnostics);
-  return made;
 }
 
 Job make_job(const SceneDescription& description, const Choices& choices, Diagnostics& diagnostics) {

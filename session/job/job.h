@@ -11,7 +11,6 @@
 #include "dspm/base/params/errors.h"
 #include "dspm/base/params/params.h"
 #include "dspm/image/film/film.h"
-#include "dspm/integrators/beside/make_beside.h"
 #include "dspm/integrators/integrator.h"
 #include "dspm/lang/description.h"
 #include "dspm/session/job/choices.h"
@@ -58,15 +57,6 @@ struct Job {
   /// Returns how many iterations to do in all: as chosen; else 0 (until stopped) if an error is to be reached; else as
   /// many as the integrator says.
   int iterations(const Integrator& made) const;
-  /// Makes an integrator that may hold `memory` bytes; 0 means that there is no bound. Throws NotEnoughMemory if they
-  /// are too few.
-  std::unique_ptr<Integrator> make_integrator(const Scene& scene, Diagnostics& diagnostics,
-                                              std::size_t memory = 0) const;
-  /// Makes the integrator without the estimate of the error, for callers that do not see all iterations.
-  std::unique_ptr<Integrator> make_without_error(const Scene& scene, Diagnostics& diagnostics,
-                                                 std::size_t memory = 0) const;
-  /// Returns what `make` returns, with the estimate of the error.
-  std::unique_ptr<Integrator> with_error(const MakeWithin& make, const Scene& scene, std::size_t memory) const;
 };
 
 /// Reports errors to `diagnostics`. Throws UsageError if the command line does not fit this scene.

@@ -6,10 +6,10 @@
 
 namespace dspm {
 
-std::string rendered(const Block& block, Integrator& integrator, const Scene& scene, const std::string& zero) {
-  load_state(zero, integrator);
-  for (int i = block.begin; i < block.end; ++i) integrator.iterate(i, scene);
-  return state_of(integrator);
+std::string rendered(const Block& block, Stage& stage, const std::string& zero) {
+  load_state(zero, stage.integrator());
+  for (int i = block.begin; i < block.end; ++i) stage.iterate(i);
+  return state_of(stage.integrator());
 }
 
 void add(const std::string& state, Integrator& integrator) {

@@ -7,13 +7,13 @@
 
 #include "dspm/integrators/integrator.h"
 #include "dspm/session/block.h"
-#include "dspm/world/scene/scene.h"
+#include "dspm/session/stage.h"
 
 namespace dspm {
 
 /// Returns the state that the block's iterations make of `zero`, the state before any iteration. Throws what iterations
-/// throw; the integrator's own state is then lost.
-std::string rendered(const Block& block, Integrator& integrator, const Scene& scene, const std::string& zero);
+/// throw; the state of the stage's integrator is then lost.
+std::string rendered(const Block& block, Stage& stage, const std::string& zero);
 /// Adds a state to the integrator's.
 void add(const std::string& state, Integrator& integrator);
 

@@ -3,8 +3,7 @@
 #include <utility>
 
 #include "dspm/session/machines/block_state.h"
-#include "dspm/session/session.h"
-#include "dspm/world/scene/scene.h"
+#include "dspm/session/stage.h"
 
 namespace dspm {
 
@@ -17,20 +16,19 @@ std::optional<Edition> Helper::edition() {
 }
 
 void Helper::render(const LoadedScene& loaded, Messages& messages, const Hello& hello) {
-  std::uint64_t interval = 0;  // of the integrator; 0: none yet
-  std::unique_ptr<Scene> scene;
-  std::unique_ptr<Integrator> integrator;
+  std::uint64_t interval = 0;  // of the stage; 0: none yet
+  std::optional<Stage> stage;
   std::string zero;
   post_.send(0, LetterKind::ready, written(hello));
   while (const std::optional<Order> order = next_order(hello.edition)) {
     if (order->interval != interval) {
-      integrator.reset(), scene.reset();
-      scene = loaded.world->scene(order->frames);
-      integrator = make_without_error(loaded.job, *scene, messages, static_cast<std::size_t>(order->memory));
-      zero = state_of(*integrator), interval = order->interval;
+      const auto memory = static_cast<std::size_t>(order->memory);
+      Integrator& integrator =
+          stage.emplace(loaded, order->frames).make_integrator(messages, {.memory = memory, .sees_all = false});
+      zero = state_of(integrator), interval = order->interval;
     }
     const Rendered block{interval, order->block.begin};
-    std::string state = rendered(order->block, *integrator, *scene, zero);
+    std::string state = rendered(order->block, *stage, zero);
     {
       const std::lock_guard lock(mutex_);
       std::erase_if(kept_, [&](const auto& each) { return each.first < Rendered{interval, order->wanted_from}; });

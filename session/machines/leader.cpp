@@ -15,9 +15,10 @@ namespace dspm {
 
 class Leader::SharedIterations final : public WrappingIntegrator {
  public:
-  SharedIterations(std::unique_ptr<Integrator> sum, std::unique_ptr<Integrator> own, Leader& leader,
+  SharedIterations(std::unique_ptr<Integrator> sum, std::unique_ptr<Integrator> own, const Stage& stage, Leader& leader,
                    const Extent& extent)
       : WrappingIntegrator(std::move(sum)),
+        stage_(stage),
         leader_(leader),
         extent_(extent),
         renderer_(std::move(own)),
@@ -27,12 +28,13 @@ class Leader::SharedIterations final : public WrappingIntegrator {
     leader_.desk_.close();
   }
 
-  void iterate(int begin, const Scene& scene) override {
+  void iterate(const Iteration& first) override {
+    const int begin = first.number;
     const bool is_beyond = extent_.iterations > 0 && begin >= extent_.iterations;
     if (begin != next_ || is_beyond) reopen(begin);
     next_ = -1;  // if anything is thrown
     while (!add_block(begin))
-      if (!render_on(begin, scene)) wait_for(begin);
+      if (!render_on(begin)) wait_for(begin);
     next_ = Block::from(begin, extent_.iterations, extent_.block).end;
   }
 
@@ -69,12 +71,12 @@ class Leader::SharedIterations final : public WrappingIntegrator {
 
   /// Renders one iteration of a block of the leader's own, so that what arrives in the meantime is soon added. Returns
   /// false if there is no block.
-  bool render_on(int begin, const Scene& scene) {
+  bool render_on(int begin) {
     if (rendering_ && rendering_->begin < begin) rendering_.reset();  // another machine was faster
     const bool is_next = rendering_ && rendering_->begin == begin;
     if (!is_next && leader_.end_wanted_()) throw Cancelled{};
     if (!rendering_ && !begin_block()) return false;
-    renderer_->iterate(iteration_, scene);
+    renderer_->iterate(stage_.iteration(iteration_));
     if (++iteration_ < rendering_->end) return true;
     std::string state = state_of(*renderer_);
     const std::lock_guard lock(leader_.mutex_);
@@ -103,6 +105,7 @@ class Leader::SharedIterations final : public WrappingIntegrator {
     leader_.look_for_silence();
   }
 
+  const Stage& stage_;
   Leader& leader_;
   Extent extent_;
   int next_ = -1;  // the iteration with which the next block begins
@@ -151,11 +154,11 @@ void Leader::begin_anew(const std::optional<std::array<double, 9>>& look_at) {
 }
 
 std::unique_ptr<Integrator> Leader::share_out(std::unique_ptr<Integrator> sum, std::unique_ptr<Integrator> own,
-                                              const FrameList& frames, std::size_t memory, const Extent& extent) {
+                                              const Stage& stage, std::size_t memory, const Extent& extent) {
   const std::lock_guard lock(mutex_);
-  ++order_.interval, order_.frames = frames, order_.memory = memory;
+  ++order_.interval, order_.frames = stage.frames(), order_.memory = memory;
   asked_.clear();
-  return std::make_unique<SharedIterations>(std::move(sum), std::move(own), *this, extent);
+  return std::make_unique<SharedIterations>(std::move(sum), std::move(own), stage, *this, extent);
 }
 
 /// Called by the thread of the post.

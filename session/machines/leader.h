@@ -17,9 +17,9 @@
 #include <string>
 
 #include "dspm/integrators/integrator.h"
-#include "dspm/session/frame_intervals.h"
 #include "dspm/session/machines/desk.h"
 #include "dspm/session/machines/post.h"
+#include "dspm/session/stage.h"
 
 namespace dspm {
 
@@ -60,12 +60,13 @@ class Leader {
     int iterations, block;
   };
   /// Returns an integrator that stands for what all machines together do of an interval: its iterate(i) leaves it with
-  /// iteration i and all that follow in its block. Its iterate() throws MachineFailed. It must not outlive the leader.
+  /// iteration i and all that follow in its block. Its iterate() throws MachineFailed. It must outlive neither the leader
+  /// nor the `stage`, whose integrators the two are.
   /// `sum` adds up everybody's blocks, `own`, which is alike, renders the leader's; both must be made with
   /// RenderSettings::learn_at_once, or each block would learn anew. `memory` is the number of bytes that each machine's
   /// integrator may hold; 0 means that there is no bound.
   std::unique_ptr<Integrator> share_out(std::unique_ptr<Integrator> sum, std::unique_ptr<Integrator> own,
-                                        const FrameList& frames, std::size_t memory, const Extent& extent);
+                                        const Stage& stage, std::size_t memory, const Extent& extent);
 
   int machines() const { return link_.machines(); }
   /// The bytes that went between the machines so far.

@@ -63,6 +63,7 @@ inline constexpr StampedType kStampedTypes[] = {
     {"dspm::Rejections", sizeof(Rejections::Entry)},
     {"dspm::OutputInfo", sizeof(OutputInfo)},
     {"dspm::Sighting", sizeof(Sighting)},
+    {"dspm::Iteration", sizeof(Iteration)},
     {"dspm::IntegratorPlugin", sizeof(IntegratorPlugin)},
 };
 

@@ -13,8 +13,8 @@ class Scripted : public Integrator {
   }
   int iterations() const override { return 0; }
   std::string settings() const override { return {}; }
-  void iterate(int iteration, const Scene&) override {
-    const double slow = iteration == 0 ? 10 : 1;
+  void iterate(const Iteration& iteration) override {
+    const double slow = iteration.number == 0 ? 10 : 1;
     statistics_.steps[0].seconds += slow * seconds_, statistics_.steps[1].seconds += slow * 2;
   }
   Image estimate(Frame, const std::string&) const override { return {}; }

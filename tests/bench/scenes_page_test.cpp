@@ -60,7 +60,7 @@ TEST(ScenesPage, QuotesTheMeasuredShares) {
 TEST(ScenesPage, QuotesTheSharesOfTheDemo) {
   const LoadedScene loaded = load(our_scene("demo"));
   const auto run = start(loaded, loaded.job, "dsppm", loaded.job.frames);
-  run.integrator->iterate(0, *run.scene);
+  run.integrator->iterate({0, *run.scene});
   const Statistics s = run.integrator->statistics();
   const Cells cells = quoted("demo");
   EXPECT_NEAR(std::stod(cells.at(0)), 100 * s.photon.dynamic_share(), 0.6);

@@ -111,7 +111,7 @@ class ChairTest : public testing::Test {
         if (std::find(interval.begin(), interval.end(), frames.label(f)) != interval.end()) together.push_back(f);
       const std::unique_ptr<Scene> scene = reference.scene(together);
       const std::unique_ptr<Integrator> made = reference.integrator(*scene);
-      for (int i = 0; i < iterations; ++i) made->iterate(i, *scene);
+      for (int i = 0; i < iterations; ++i) made->iterate({i, *scene});
       for (std::size_t j = 0; j < together.size(); ++j, ++compared)
         EXPECT_EQ(read_image(file(frames.label(together[j]))), made->estimate(static_cast<Frame>(j)))
             << frames.label(together[j]);

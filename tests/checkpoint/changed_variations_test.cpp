@@ -47,7 +47,7 @@ TEST_F(ChangedVariations, StartAnewAndTheOthersGoOn) {
   TestScene reference(product.text(), choices);
   const std::unique_ptr<Scene> scene = reference.scene({FileFrame(0), FileFrame(1)});
   const std::unique_ptr<Integrator> made = reference.integrator(*scene);
-  for (int i = 0; i < 5; ++i) made->iterate(i, *scene);
+  for (int i = 0; i < 5; ++i) made->iterate({i, *scene});
   EXPECT_EQ(read_image(file("oak-plain")), made->estimate(0));
   EXPECT_EQ(read_image(file("oak-dim")), made->estimate(1));
 }

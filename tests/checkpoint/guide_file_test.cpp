@@ -7,7 +7,7 @@
 #include "dspm/image/image.h"
 #include "dspm/integrators/guiding/file_sample.h"
 #include "dspm/integrators/integrator.h"
-#include "dspm/session/session.h"
+#include "dspm/session/stage.h"
 #include "tests/support/temporary_directory.h"
 
 namespace dspm::test {
@@ -42,10 +42,10 @@ struct Trial {
     if (!guide.empty()) load_guide(guide, loaded.job);
   }
   Image render() {
-    const auto made_of = loaded.world->scene(loaded.job.frames);
-    const auto integrator = make_integrator(loaded.job, *made_of, messages);
-    integrator->iterate(0, *made_of);
-    return integrator->estimate(0);
+    Stage stage(loaded, loaded.job.frames);
+    stage.make_integrator(messages);
+    stage.iterate(0);
+    return stage.integrator().estimate(0);
   }
 };
 

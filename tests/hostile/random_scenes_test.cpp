@@ -70,7 +70,7 @@ Seen render(const std::string& text, int iterations = 2) {
   for (const std::vector<FileFrame>& interval : scene.intervals()) {
     const auto part = scene.scene(interval);
     const auto integrator = scene.integrator(*part);
-    for (int iteration = 0; iteration < iterations; ++iteration) integrator->iterate(iteration, *part);
+    for (int iteration = 0; iteration < iterations; ++iteration) integrator->iterate({iteration, *part});
     const Statistics statistics = integrator->statistics();
     seen.rejected += statistics.rejections.count();
     for (const EnergyBalance& e : statistics.energy)

@@ -137,7 +137,7 @@ TEST(Absorption, DiffersBetweenFrames) {
   TestScene shared(scene(integrators()[3], kSun + kDisk + keyed + box(0.5, 2), "Frames 3"));
   const auto all = shared.scene(shared.all_frames());
   const auto dsppm = shared.integrator(*all);
-  dsppm->iterate(0, *all);
+  dsppm->iterate({0, *all});
   const PathCounts& photons = dsppm->statistics().photon;
   EXPECT_GT(photons.segments.factor(), 2.5);
 }

@@ -78,7 +78,7 @@ TEST_P(Progressive, BatchesOfPhotonsChangeNothing) {
     const auto whole = test.integrator(*scene), batches = with_least_memory(test, *scene);
     EXPECT_EQ(whole->statistics().photon_batches, 1);
     EXPECT_GT(batches->statistics().photon_batches, 1);
-    for (int i = 0; i < kIterations; ++i) whole->iterate(i, *scene), batches->iterate(i, *scene);
+    for (int i = 0; i < kIterations; ++i) whole->iterate({i, *scene}), batches->iterate({i, *scene});
     expect_equal(*whole, *batches, scene->frame_count());
     expect_equal_counts(whole->statistics(), batches->statistics());
     EXPECT_LT(batches->statistics().bytes, whole->statistics().bytes);
@@ -94,7 +94,7 @@ TEST_P(Progressive, BatchesHaveTheSameBitsWithAnyNumberOfThreads) {
     const ThreadLimit limit(threads);
     const auto batches = with_least_memory(test, *scene);
     EXPECT_GT(batches->statistics().photon_batches, 1);
-    for (int i = 0; i < kIterations; ++i) batches->iterate(i, *scene);
+    for (int i = 0; i < kIterations; ++i) batches->iterate({i, *scene});
     images.push_back(batches->estimate(0));
   }
   EXPECT_EQ(images[0], images[1]);
@@ -179,7 +179,7 @@ TEST_P(BoundedMemory, HoldsWhatItSays) {
     EXPECT_TRUE(needs_within(test, *scene, least - 1));
     EXPECT_FALSE(needs_within(test, *scene, kPlenty));
     const auto integrator = test.integrator(*scene, {}, least);
-    for (int i = 0; i < 6; ++i) integrator->iterate(i, *scene);
+    for (int i = 0; i < 6; ++i) integrator->iterate({i, *scene});
     // Photons are kept in vectors that grow by doubling; memory that was never written to is not taken.
     EXPECT_LE(static_cast<double>(integrator->statistics().bytes), 1.5 * static_cast<double>(least));
   }

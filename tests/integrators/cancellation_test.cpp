@@ -44,7 +44,7 @@ bool iterate_for(std::chrono::microseconds time, Integrator& integrator, int ite
   });
   bool cancelled = false;
   try {
-    iterate_revertibly(integrator, iteration, scene);
+    iterate_revertibly(integrator, {iteration, scene});
   } catch (const Cancelled&) {
     cancelled = true;
   }
@@ -68,10 +68,10 @@ TEST_P(Cancellation, ChangesNothing) {
       ASSERT_EQ(state_of(*given_up), before);
     }
     EXPECT_GT(cancelled, 1);
-    if (given_up->statistics().iterations == iteration) given_up->iterate(iteration, *scene);
+    if (given_up->statistics().iterations == iteration) given_up->iterate({iteration, *scene});
   }
-  while (given_up->statistics().iterations < 3) given_up->iterate(given_up->statistics().iterations, *scene);
-  for (int i = 0; i < 3; ++i) calm->iterate(i, *scene);
+  while (given_up->statistics().iterations < 3) given_up->iterate({given_up->statistics().iterations, *scene});
+  for (int i = 0; i < 3; ++i) calm->iterate({i, *scene});
   for (Frame frame = 0; frame < scene->frame_count(); ++frame)
     EXPECT_EQ(given_up->estimate(frame), calm->estimate(frame));
 }
@@ -98,7 +98,7 @@ TEST_P(CancellationBetweenBatches, ChangesNothing) {
   constexpr int kMoments = 12;
   for (const int iteration : {0, 1}) {  // before the first one there is nothing to keep
     const auto begin = std::chrono::steady_clock::now();
-    calm->iterate(iteration, *scene);
+    calm->iterate({iteration, *scene});
     const std::chrono::duration<double, std::micro> duration = std::chrono::steady_clock::now() - begin;
     int cancelled = 0;
     const std::string before = state_of(*given_up);
@@ -109,7 +109,7 @@ TEST_P(CancellationBetweenBatches, ChangesNothing) {
       ASSERT_EQ(state_of(*given_up), before);
     }
     EXPECT_GE(cancelled, kMoments / 4);
-    if (given_up->statistics().iterations == iteration) given_up->iterate(iteration, *scene);
+    if (given_up->statistics().iterations == iteration) given_up->iterate({iteration, *scene});
   }
   for (Frame frame = 0; frame < scene->frame_count(); ++frame)
     EXPECT_EQ(given_up->estimate(frame), calm->estimate(frame));

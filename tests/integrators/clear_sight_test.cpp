@@ -32,7 +32,7 @@ LightSource "point"
                  choices);
   const auto scene = test.scene(test.all_frames());
   const auto integrator = test.integrator(*scene);
-  for (int i = 0; i < 8; ++i) integrator->iterate(i, *scene);
+  for (int i = 0; i < 8; ++i) integrator->iterate({i, *scene});
   std::map<std::string, Rgb> values;
   for (const std::string& output : choices.outputs)
     values[output] = integrator->estimate(static_cast<Frame>(frame), output).at(0, 0);

@@ -58,7 +58,7 @@ Choices asking_for(std::vector<std::string> outputs) {
 std::map<std::string, Image> outputs_of(TestScene& test, Frame frame, const std::vector<std::string>& also = {""}) {
   const auto scene = test.scene(test.all_frames());
   const auto integrator = test.integrator(*scene);
-  for (int i = 0; i < kIterations; ++i) integrator->iterate(i, *scene);
+  for (int i = 0; i < kIterations; ++i) integrator->iterate({i, *scene});
   std::map<std::string, Image> images;
   for (const std::string& output : test.job().settings.outputs) images[output] = integrator->estimate(frame, output);
   for (const std::string& output : also) images[output] = integrator->estimate(frame);
@@ -123,12 +123,12 @@ TEST(Cryptomatte, GoesOnFromItsState) {
   TestScene test(scene(), asking_for({"cryptoobject", "alpha"}));
   const auto made = test.scene(test.all_frames());
   const auto calm = test.integrator(*made), first = test.integrator(*made), second = test.integrator(*made);
-  for (int i = 0; i < 6; ++i) calm->iterate(i, *made);
-  for (int i = 0; i < 3; ++i) first->iterate(i, *made);
+  for (int i = 0; i < 6; ++i) calm->iterate({i, *made});
+  for (int i = 0; i < 3; ++i) first->iterate({i, *made});
   const std::string saved = state_of(*first);
   LoadedState state(saved);
   ASSERT_TRUE(second->persist(state));
-  for (int i = 3; i < 6; ++i) second->iterate(i, *made);
+  for (int i = 3; i < 6; ++i) second->iterate({i, *made});
   for (const std::string& output : test.job().settings.outputs)
     EXPECT_EQ(second->estimate(1, output), calm->estimate(1, output)) << output;
 }

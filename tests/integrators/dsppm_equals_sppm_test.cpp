@@ -61,10 +61,10 @@ Comparison compare(TestScene& test) {
     sppm.push_back(test.integrator(*scenes.back(), "sppm"));
   }
   for (int i = 0; i < kIterations; ++i) {
-    dsppm->iterate(i, *together);
+    dsppm->iterate({i, *together});
     for (const FileFrame f : test.all_frames()) {
       Integrator& alone = *sppm[f.slot()];
-      alone.iterate(i, *scenes[f.slot()]);
+      alone.iterate({i, *scenes[f.slot()]});
       const Image a = dsppm->estimate(f.index()), b = alone.estimate(0);
       const Image found = dsppm->estimate(f.index(), "photons"), found_alone = alone.estimate(0, "photons");
       const Image radius = dsppm->estimate(f.index(), "radius"), radius_alone = alone.estimate(0, "radius");
@@ -129,7 +129,7 @@ TEST(Kz11, FramesEqualTheirOwnRuns) {
     TestScene test(text);
     const auto scene = test.scene(test.all_frames());
     const auto together = test.integrator(*scene);
-    for (int i = 0; i < kIterations; ++i) together->iterate(i, *scene);
+    for (int i = 0; i < kIterations; ++i) together->iterate({i, *scene});
     for (const FileFrame f : test.all_frames()) {
       const Image a = together->estimate(f.index()), b = test.render(f, kIterations);
       for (std::size_t p = 0; p < a.pixels.size(); ++p) EXPECT_TRUE(same(a.pixels[p], b.pixels[p]));
@@ -145,7 +145,7 @@ TEST(Path, FramesEqualTheirOwnRuns) {
     TestScene test(text);
     const auto scene = test.scene(test.all_frames());
     const auto together = test.integrator(*scene);
-    for (int i = 0; i < kIterations; ++i) together->iterate(i, *scene);
+    for (int i = 0; i < kIterations; ++i) together->iterate({i, *scene});
     for (const FileFrame f : test.all_frames()) EXPECT_EQ(together->estimate(f.index()), test.render(f, kIterations));
   }
 }

@@ -9,6 +9,7 @@
 #include "dspm/base/system/state_in_memory.h"
 #include "dspm/integrators/statistics.h"
 #include "dspm/session/job/job.h"
+#include "dspm/session/stage.h"
 #include "dspm/testing/test_scene.h"
 
 namespace dspm {
@@ -23,7 +24,7 @@ std::vector<EmissionReport> reports(const std::string& text) {
   Job job = test.job();
   job.settings.count_found = job.settings.learn_at_once = true;
   Diagnostics diagnostics;
-  const auto made = job.make_integrator(*scene, diagnostics);
+  const auto made = make_integrator(job, *scene, diagnostics);
   const Statistics statistics = made->statistics();
   return {statistics.emission.begin(), statistics.emission.end()};
 }
@@ -182,7 +183,8 @@ TEST(EmissionReport, OnePerKindOfPhotons) {
 }
 
 EmissionReport example(EmissionReport::Start start) {
-  return {"photons", start, 14, 30000, 90, 12000, 900, 0, 4, {{"sun", .5, .25, 7500, 3000}, {"2 others", .5, .75, 0, 0}}};
+  return {"photons", start, 14, 30000, 90,
+          12000,     900,   0,  4,     {{"sun", .5, .25, 7500, 3000}, {"2 others", .5, .75, 0, 0}}};
 }
 
 TEST(EmissionReport, IsTheSameAfterSavingAndLoading) {

@@ -23,7 +23,7 @@ std::vector<std::vector<EnergyBalance>> balances(const std::string& text, int it
   std::vector<std::vector<EnergyBalance>> all;
   std::vector<EnergyBalance> before(static_cast<std::size_t>(test.frame_count()));
   for (int i = 0; i < iterations; ++i) {
-    integrator->iterate(i, *scene);
+    integrator->iterate({i, *scene});
     const std::vector<EnergyBalance> sum = integrator->statistics().energy;
     all.push_back(sum);
     for (std::size_t f = 0; f < sum.size(); ++f) all.back()[f] += before[f] * -1;

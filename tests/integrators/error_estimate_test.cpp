@@ -44,7 +44,7 @@ Rendered rendered(TestScene& test, std::uint64_t seed, int iterations) {
   test.set_seed(seed);
   const auto scene = test.scene(test.all_frames());
   const auto integrator = test.integrator(*scene);
-  for (int i = 0; i < iterations; ++i) integrator->iterate(i, *scene);
+  for (int i = 0; i < iterations; ++i) integrator->iterate({i, *scene});
   return {integrator->estimate(0), integrator->statistics().errors.at(0)};
 }
 
@@ -101,13 +101,13 @@ class Specks final : public Integrator {
   explicit Specks(std::vector<int> iterations, float speck) : specks_(std::move(iterations)), speck_(speck) {}
   int iterations() const override { return kIterations; }
   std::string settings() const override { return ""; }
-  void iterate(int iteration, const Scene&) override {
+  void iterate(const Iteration& iteration) override {
     for (std::size_t i = 0; i < sums_.size(); ++i) {
-      const PathRandom random(1, Stream::setup, i, static_cast<std::uint64_t>(iteration));
+      const PathRandom random(1, Stream::setup, i, static_cast<std::uint64_t>(iteration.number));
       sums_[i] += 0.7f + 0.6f * random.number(0, 0);
     }
     for (std::size_t i = 0; i < specks_.size(); ++i)
-      if (specks_[i] == iteration) sums_[77 * i + 5] += speck_;
+      if (specks_[i] == iteration.number) sums_[77 * i + 5] += speck_;
     ++done_;
   }
   Image estimate(Frame, const std::string&) const override {
@@ -134,7 +134,7 @@ std::uint64_t lone_paths(const std::vector<int>& iterations, float speck) {
   scene.file_frames = {FileFrame(0)};
   const auto integrator = with_error_estimate([&](std::size_t) { return std::make_unique<Specks>(iterations, speck); },
                                               scene, {0, 0, Specks::kSide, Specks::kSide}, 2, 0);
-  for (int i = 0; i < kIterations; ++i) integrator->iterate(i, scene);
+  for (int i = 0; i < kIterations; ++i) integrator->iterate({i, scene});
   const Statistics statistics = integrator->statistics();
   EXPECT_LT(statistics.errors.at(0), 0.03);
   EXPECT_EQ(statistics.steps.back().name, "error estimate");

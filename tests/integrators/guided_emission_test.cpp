@@ -112,7 +112,7 @@ SharedCount found(const std::string& integrator) {
   TestScene test(ground(integrator, kBall, "Frames 3"));
   const auto scene = test.scene(test.all_frames());
   const auto made = test.integrator(*scene);
-  made->iterate(0, *scene);
+  made->iterate({0, *scene});
   return made->statistics().photons_found;
 }
 

@@ -135,7 +135,7 @@ TEST(HiddenLight, StaysAsRoughnessCrossesTheThreshold) {
                                    metal(R"("float roughness@1" 0.2 "float roughness@4" 0.32)")));
     const auto scene = test.scene(test.all_frames());
     const auto together = test.integrator(*scene);
-    for (int i = 0; i < 8; ++i) together->iterate(i, *scene);
+    for (int i = 0; i < 8; ++i) together->iterate({i, *scene});
     for (Frame f = 0; f < kFrames; ++f) {
       const double joint = mean(together->estimate(f));
       EXPECT_NEAR(joint / mean(test.render(FileFrame(f), 8)), 1, 2e-5);

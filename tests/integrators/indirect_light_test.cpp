@@ -62,7 +62,7 @@ std::uint64_t stored(const std::string& text) {
   TestScene test(text);
   const auto scene = test.scene(test.all_frames());
   const auto made = test.integrator(*scene);
-  made->iterate(0, *scene);
+  made->iterate({0, *scene});
   return made->statistics().photons_stored.done;
 }
 

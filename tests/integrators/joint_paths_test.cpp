@@ -37,7 +37,7 @@ Statistics work(const std::string& material, const std::string& lamp, const char
   TestScene test(scene(material, lamp, share_paths));
   const auto all = test.scene(test.all_frames());
   const auto integrator = test.integrator(*all);
-  integrator->iterate(0, *all);
+  integrator->iterate({0, *all});
   return integrator->statistics();
 }
 
@@ -84,11 +84,11 @@ TEST(JointPaths, AnOpeningConeKeepsItsLight) {
   const auto all = test.scene(test.all_frames());
   const auto integrator = test.integrator(*all);
   constexpr int kIterations = 20;
-  for (int i = 0; i < kIterations; ++i) integrator->iterate(i, *all);
+  for (int i = 0; i < kIterations; ++i) integrator->iterate({i, *all});
   for (const FileFrame f : test.all_frames()) {
     const auto one = test.scene({f});
     const auto alone = test.integrator(*one, "sppm");
-    for (int i = 0; i < kIterations; ++i) alone->iterate(i, *one);
+    for (int i = 0; i < kIterations; ++i) alone->iterate({i, *one});
     const double emitted = alone->statistics().energy[0].emitted;
     EXPECT_NEAR(integrator->statistics().energy[f.slot()].emitted, emitted, 0.01 * emitted);
     const Image joint = integrator->estimate(f.index()), own = alone->estimate(0);
@@ -119,7 +119,7 @@ DynamicEnd
                              in_the_second_frame));
   const auto all = test.scene(test.all_frames());
   const auto integrator = test.integrator(*all);
-  integrator->iterate(0, *all);
+  integrator->iterate({0, *all});
   return integrator->statistics().camera.dynamic_share();
 }
 

@@ -31,7 +31,7 @@ std::vector<Parts> rendered_parts(TestScene& test, int iterations) {
   for (const auto& frames : test.intervals()) {
     const auto scene = test.scene(frames);
     const auto integrator = test.integrator(*scene);
-    for (int i = 0; i < iterations; ++i) integrator->iterate(i, *scene);
+    for (int i = 0; i < iterations; ++i) integrator->iterate({i, *scene});
     for (Frame f = 0; f < scene->frame_count(); ++f)
       parts.push_back(
           {integrator->estimate(f), integrator->estimate(f, "light_key"), integrator->estimate(f, "light_other")});

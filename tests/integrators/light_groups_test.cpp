@@ -66,7 +66,7 @@ Choices asking_for(std::vector<std::string> outputs) {
 
 std::unique_ptr<Integrator> rendered(TestScene& test, const Scene& scene, std::size_t memory = 0) {
   auto integrator = test.integrator(scene, {}, memory);
-  for (int i = 0; i < kIterations; ++i) integrator->iterate(i, scene);
+  for (int i = 0; i < kIterations; ++i) integrator->iterate({i, scene});
   return integrator;
 }
 
@@ -143,11 +143,11 @@ TEST_P(LightGroupsOf, GoOnFromTheirState) {
   TestScene test(text(), asking_for({"lights"}));
   const auto scene = test.scene(test.intervals().front());
   const auto calm = rendered(test, *scene), first = test.integrator(*scene), second = test.integrator(*scene);
-  first->iterate(0, *scene);
+  first->iterate({0, *scene});
   const std::string saved = state_of(*first);
   LoadedState state(saved);
   ASSERT_TRUE(second->persist(state));
-  for (int i = 1; i < kIterations; ++i) second->iterate(i, *scene);
+  for (int i = 1; i < kIterations; ++i) second->iterate({i, *scene});
   EXPECT_EQ(groups_of(*second, *scene), groups_of(*calm, *scene));
 }
 

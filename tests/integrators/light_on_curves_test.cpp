@@ -179,7 +179,7 @@ TEST(LightOnCurves, IsOfItsLightsGroup) {
     TestScene test(text + "\nLightSource \"point\" \"rgb I\" [9 9 9] \"point3 from\" [0 0 1]\n", choices);
     const auto one = test.scene({FileFrame(0)});
     const auto made = test.integrator(*one);
-    for (int i = 0; i < 4; ++i) made->iterate(i, *one);
+    for (int i = 0; i < 4; ++i) made->iterate({i, *one});
     const double whole = static_cast<double>(mean(made->estimate(0)).g),
                  key = static_cast<double>(mean(made->estimate(0, "light_key")).g),
                  other = static_cast<double>(mean(made->estimate(0, "light_other")).g);

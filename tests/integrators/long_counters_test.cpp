@@ -29,7 +29,7 @@ TEST_P(LongCounters, GoBeyond32Bits) {
   TestScene test(std::string("Integrator ") + GetParam() + kScene);
   const auto scene = test.scene({FileFrame(0)});
   const auto young = test.integrator(*scene), old = test.integrator(*scene);
-  young->iterate(0, *scene);
+  young->iterate({0, *scene});
 
   Statistics few = young->statistics();
   few.steps.pop_back();  // that of the error estimate, which keeps it itself
@@ -40,7 +40,7 @@ TEST_P(LongCounters, GoBeyond32Bits) {
   const std::string saved = state_of(many) + state_of(*young).substr(state_of(few).size());
   LoadedState state(saved);
   ASSERT_TRUE(old->persist(state));
-  young->iterate(1, *scene), old->iterate(1, *scene);
+  young->iterate({1, *scene}), old->iterate({1, *scene});
 
   EXPECT_EQ(old->estimate(0), young->estimate(0));
   const Statistics now = old->statistics(), then = young->statistics();

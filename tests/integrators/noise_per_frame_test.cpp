@@ -81,7 +81,7 @@ TEST(NoisePerFrame, KeepsThePromisesAndSharesPhotons) {
     TestScene test(ground(photons, own ? "perframe" : "frozen", kMoves, kBall));
     const auto scene = test.scene(test.all_frames());
     const auto made = test.integrator(*scene);
-    made->iterate(0, *scene);
+    made->iterate({0, *scene});
     factors[own] = made->statistics().photon.segments.factor();
   }
   EXPECT_NEAR(factors[1], factors[0], 0.02 * factors[0]);

@@ -81,7 +81,7 @@ DynamicEnd)"));
   const auto made = test.integrator(*scene);
   std::vector<std::size_t> bytes;
   for (int i = 0; i < 40; ++i) {
-    made->iterate(i, *scene);
+    made->iterate({i, *scene});
     bytes.push_back(made->statistics().bytes);
   }
   // Buffers settle within a few iterations; what grew with every iteration would be four times larger.

@@ -137,7 +137,7 @@ void expect_radii(const Settings& s) {
       EXPECT_EQ(integrator->statistics().photon_batches > 1, s.in_batches);
     }
     for (int n = 1; n <= 30; ++n) {
-      integrator->iterate(n - 1, *scene);
+      integrator->iterate({n - 1, *scene});
       if (n > 3 && n != 10 && n != 30) continue;
       for (Frame j = 0; j < scene->frame_count(); ++j)
         expect_pixels(*integrator, j, frames[static_cast<std::size_t>(j)] == FileFrame(0), n, s);
@@ -200,7 +200,7 @@ void for_each_first_radius2(const std::string& integrator, double fov, const std
   TestScene test(dark(integrator, fov, contents));
   const auto scene = test.scene({FileFrame(0)});
   const auto made = test.integrator(*scene);
-  made->iterate(0, *scene);
+  made->iterate({0, *scene});
   const Image radii = made->estimate(0, "radius");
   const double spacing = 2 * std::tan(fov / 360 * kPiD) / kHeight;
   for (int y = 0; y < kHeight; ++y)

@@ -64,7 +64,7 @@ Seen seen(const std::string& text, int iterations) {
   for (const std::vector<FileFrame>& frames : test.intervals()) {
     const std::unique_ptr<Scene> of_frames = test.scene(frames);
     const std::unique_ptr<Integrator> integrator = test.integrator(*of_frames);
-    for (int i = 0; i < iterations; ++i) integrator->iterate(i, *of_frames);
+    for (int i = 0; i < iterations; ++i) integrator->iterate({i, *of_frames});
     for (Frame f = 0; f < of_frames->frame_count(); ++f) {
       seen.alpha.push_back(integrator->estimate(f, kAlphaOutput));
       seen.radiance.push_back(integrator->estimate(f));
@@ -115,7 +115,7 @@ TEST(ShadowCatcher, AFrameAloneIsThatOfTheJointRun) {
   const auto frames = test.all_frames();
   const auto all = test.scene(frames), alone = test.scene({frames[1]});
   const auto joint = test.integrator(*all), single = test.integrator(*alone);
-  for (int i = 0; i < 3; ++i) joint->iterate(i, *all), single->iterate(i, *alone);
+  for (int i = 0; i < 3; ++i) joint->iterate({i, *all}), single->iterate({i, *alone});
   for (const char* output : {kRadiance, kAlphaOutput}) {
     const Image a = joint->estimate(1, output), b = single->estimate(0, output);
     for (std::size_t i = 0; i < a.pixels.size(); ++i)
@@ -127,12 +127,12 @@ TEST(ShadowCatcher, ItsStateComesBack) {
   TestScene test(scene(kIntegrators[2], kCatches, kBlack));
   const auto all = test.scene(test.all_frames());
   const auto whole = test.integrator(*all), resumed = test.integrator(*all);
-  for (int i = 0; i < 2; ++i) whole->iterate(i, *all);
+  for (int i = 0; i < 2; ++i) whole->iterate({i, *all});
   const std::string saved = state_of(*whole);
   LoadedState state(saved);
   ASSERT_TRUE(resumed->persist(state));
   EXPECT_TRUE(state.all_read());
-  whole->iterate(2, *all), resumed->iterate(2, *all);
+  whole->iterate({2, *all}), resumed->iterate({2, *all});
   for (const char* output : {kRadiance, kAlphaOutput})
     EXPECT_EQ(whole->estimate(0, output), resumed->estimate(0, output)) << output;
 }

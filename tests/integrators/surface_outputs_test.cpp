@@ -38,7 +38,7 @@ std::map<std::string, std::vector<Image>> outputs_of(TestScene& test, int iterat
   for (const auto& frames : test.intervals()) {
     const auto scene = test.scene(frames);
     const auto integrator = test.integrator(*scene);
-    for (int i = 0; i < iterations; ++i) integrator->iterate(i, *scene);
+    for (int i = 0; i < iterations; ++i) integrator->iterate({i, *scene});
     for (const std::string& output : test.job().settings.outputs)
       for (Frame f = 0; f < scene->frame_count(); ++f) images[output].push_back(integrator->estimate(f, output));
   }
@@ -136,7 +136,7 @@ TEST_P(SurfaceOutputs, OfAllFramesAreThoseOfEachAlone) {
   for (const FileFrame f : test.all_frames()) {
     const auto alone = test.scene({f});
     const auto integrator = test.integrator(*alone);
-    for (int i = 0; i < 4; ++i) integrator->iterate(i, *alone);
+    for (int i = 0; i < 4; ++i) integrator->iterate({i, *alone});
     for (const std::string& output : kAll)
       EXPECT_EQ(together.at(output)[f.slot()], integrator->estimate(0, output)) << output;
   }
@@ -172,13 +172,13 @@ TEST_P(SurfaceOutputs, GoOnFromTheirState) {
   TestScene test(text(), asking_for(kAll));
   const auto scene = test.scene(test.intervals().front());
   const auto calm = test.integrator(*scene), first = test.integrator(*scene), second = test.integrator(*scene);
-  for (int i = 0; i < 4; ++i) calm->iterate(i, *scene);
-  for (int i = 0; i < 2; ++i) first->iterate(i, *scene);
+  for (int i = 0; i < 4; ++i) calm->iterate({i, *scene});
+  for (int i = 0; i < 2; ++i) first->iterate({i, *scene});
   const std::string saved = state_of(*first);
   LoadedState state(saved);
   ASSERT_TRUE(second->persist(state));
   for (const std::string& output : kAll) EXPECT_EQ(second->estimate(0, output), first->estimate(0, output)) << output;
-  for (int i = 2; i < 4; ++i) second->iterate(i, *scene);
+  for (int i = 2; i < 4; ++i) second->iterate({i, *scene});
   for (const std::string& output : kAll) EXPECT_EQ(second->estimate(0, output), calm->estimate(0, output)) << output;
 }
 

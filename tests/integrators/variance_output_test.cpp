@@ -32,7 +32,7 @@ void expect_right(const std::string& integrator, double tolerance) {
     test.set_seed(static_cast<std::uint64_t>(seed));
     const auto scene = test.scene(test.all_frames());
     const auto made = test.integrator(*scene);
-    for (int i = 0; i < kIterations; ++i) made->iterate(i, *scene);
+    for (int i = 0; i < kIterations; ++i) made->iterate({i, *scene});
     images.push_back(made->estimate(0));
     for (const Rgb& variance : made->estimate(0, kVarianceOutput).pixels) estimated += double(variance.g) / kSeeds;
   }
@@ -57,7 +57,7 @@ TEST(VarianceOutput, IsUnknownAfterOneIteration) {
   TestScene test = with_variance(R"("path" "integer maxdepth" 4)");
   const auto scene = test.scene(test.all_frames());
   const auto made = test.integrator(*scene);
-  made->iterate(0, *scene);
+  made->iterate({0, *scene});
   for (const Rgb& variance : made->estimate(0, kVarianceOutput).pixels) EXPECT_EQ(variance, Rgb());
 }
 

@@ -13,8 +13,7 @@
 #include "dspm/session/machines/block_state.h"
 #include "dspm/session/machines/helper.h"
 #include "dspm/session/machines/leader.h"
-#include "dspm/session/session.h"
-#include "dspm/world/scene/scene.h"
+#include "dspm/session/stage.h"
 
 namespace dspm::test {
 namespace {
@@ -171,37 +170,39 @@ struct Run {
 struct SharedOut {
   const Loaded loaded;
   Messages messages{true};
-  const FrameList& frames = loaded.scene.job.frames;
-  const std::unique_ptr<Scene> scene = loaded.scene.world->scene(frames);
-  std::unique_ptr<Integrator> integrator;
+  Stage stage;
 
-  SharedOut(Leader& leader, int known_end) {
-    const auto make = [&] { return make_without_error(loaded.scene.job, *scene, messages, 0); };
+  SharedOut(Leader& leader, int known_end, int edition = 0, bool sees_all = false)
+      : loaded(edition), stage(loaded.scene, loaded.scene.job.frames) {
     leader.expect("this scene");
-    integrator = leader.share_out(make(), make(), frames, 0, {known_end, 4});
+    const auto share_out = [&, known_end](std::unique_ptr<Integrator> sum, std::unique_ptr<Integrator> own) {
+      return leader.share_out(std::move(sum), std::move(own), stage, 0, {known_end, 4});
+    };
+    stage.make_integrator(messages, {.sees_all = sees_all, .share_out = share_out});
   }
 };
 
 Sum led(const std::vector<Hand>& hands, const Run& run = {}) {
   Machines machines(hands, run.end_wanted);
-  const SharedOut work(machines.leader(), run.known_end < 0 ? run.end : run.known_end);
-  if (!run.before.empty()) load_state(run.before, *work.integrator);
-  for (int i = run.begin; i < run.end; i = Block::from(i, run.end, 4).end) work.integrator->iterate(i, *work.scene);
-  return sum_of(*work.integrator, static_cast<int>(work.frames.size()));
+  SharedOut work(machines.leader(), run.known_end < 0 ? run.end : run.known_end);
+  Integrator& integrator = work.stage.integrator();
+  if (!run.before.empty()) load_state(run.before, integrator);
+  for (int i = run.begin; i < run.end; i = Block::from(i, run.end, 4).end) work.stage.iterate(i);
+  return sum_of(integrator, static_cast<int>(work.stage.frames().size()));
 }
 
 /// The same without machines: each block by itself, added in their order.
 Sum slow_twin(int edition = 0) {
   const Loaded loaded(edition);
   Messages messages(true);
-  const std::unique_ptr<Scene> scene = loaded.scene.world->scene(loaded.scene.job.frames);
-  const auto sum = make_without_error(loaded.scene.job, *scene, messages, 0);
+  Stage whole(loaded.scene, loaded.scene.job.frames), block(loaded.scene, loaded.scene.job.frames);
+  Integrator& sum = whole.make_integrator(messages, {.sees_all = false});
   for (int begin = 0; begin < 22; begin += 4) {
-    const auto block = make_without_error(loaded.scene.job, *scene, messages, 0);
-    for (int i = begin; i < std::min(begin + 4, 22); ++i) block->iterate(i, *scene);
-    add(state_of(*block), *sum);
+    block.make_integrator(messages, {.sees_all = false});
+    for (int i = begin; i < std::min(begin + 4, 22); ++i) block.iterate(i);
+    add(state_of(block.integrator()), sum);
   }
-  return sum_of(*sum, 3);
+  return sum_of(sum, 3);
 }
 
 TEST(Together, TheBitsAreThoseOfBlocksInOrder) {
@@ -234,14 +235,14 @@ TEST(Together, AHelperThatFailsEndsTheRun) {
 TEST(Together, AMachineThatHangsEndsTheRun) {
   Machines machines(
       {{.hangs = true}, {}}, [] { return false; }, 0.2);
-  const SharedOut work(machines.leader(), 0);
+  SharedOut work(machines.leader(), 0);
   try {
-    for (int i = 0; i < 1'000'000; i += 4) work.integrator->iterate(i, *work.scene);
+    for (int i = 0; i < 1'000'000; i += 4) work.stage.iterate(i);
     ADD_FAILURE() << "nothing was thrown";
   } catch (const MachineFailed& error) {
     EXPECT_EQ(error.what(), std::string("hanged has not answered for 0.2s"));
   }
-  EXPECT_GT(sum_of(*work.integrator, 3).images.size(), 0u);  // what was added up before can be written
+  EXPECT_GT(sum_of(work.stage.integrator(), 3).images.size(), 0u);  // what was added up before can be written
   EXPECT_THROW(machines.leader().end(), MachineFailed);
   for (int i = 0; i < 1000 && !machines.network().is_abandoned(); ++i)  // by the thread of the post
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -250,46 +251,28 @@ TEST(Together, AMachineThatHangsEndsTheRun) {
 
 TEST(Together, AnEditReachesAll) {
   Machines machines({{}, {.rest = 5}, {}});
-  const Loaded before, now(1);
-  Messages messages(true);
-  const FrameList& frames = now.scene.job.frames;
-  const auto shared_out = [&](const Loaded& loaded, const Scene& scene) {
-    machines.leader().expect("this scene");
-    const auto make = [&] { return make_without_error(loaded.scene.job, scene, messages, 0); };
-    return machines.leader().share_out(make(), make(), frames, 0, {22, 4});
-  };
-  const std::unique_ptr<Scene> old_scene = before.scene.world->scene(frames), scene = now.scene.world->scene(frames);
-  shared_out(before, *old_scene)->iterate(0, *old_scene);  // others are still at work then
+  SharedOut(machines.leader(), 22).stage.iterate(0);  // others are still at work then
   machines.leader().begin_anew({});
-  const auto integrator = shared_out(now, *scene);
-  for (int i = 0; i < 22; i += 4) integrator->iterate(i, *scene);
-  EXPECT_EQ(sum_of(*integrator, 3).images, slow_twin(1).images);
+  SharedOut now(machines.leader(), 22, 1);
+  for (int i = 0; i < 22; i += 4) now.stage.iterate(i);
+  EXPECT_EQ(sum_of(now.stage.integrator(), 3).images, slow_twin(1).images);
 }
 
 /// Estimated after 16 iterations.
 std::vector<double> errors(const std::vector<Hand>& hands) {
   Machines machines(hands);
-  Loaded loaded;
-  Messages messages(true);
-  machines.leader().expect("this scene");
-  const FrameList& frames = loaded.scene.job.frames;
-  const std::unique_ptr<Scene> scene = loaded.scene.world->scene(frames);
-  const auto make = [&](std::size_t) {
-    const auto make_one = [&] { return make_without_error(loaded.scene.job, *scene, messages, 0); };
-    return machines.leader().share_out(make_one(), make_one(), frames, 0, {16, 4});
-  };
-  const auto integrator = loaded.scene.job.with_error(make, *scene, 0);
-  for (int i = 0; i < 16; i += 4) integrator->iterate(i, *scene);
-  return integrator->statistics().errors;
+  SharedOut work(machines.leader(), 16, 0, true);
+  for (int i = 0; i < 16; i += 4) work.stage.iterate(i);
+  return work.stage.integrator().statistics().errors;
 }
 
 TEST(Together, TheErrorIsThatOfTheSum) {
   Loaded loaded;
   Messages messages(true);
-  const std::unique_ptr<Scene> scene = loaded.scene.world->scene(loaded.scene.job.frames);
-  const auto alone = make_integrator(loaded.scene.job, *scene, messages);
-  for (int i = 0; i < 16; ++i) alone->iterate(i, *scene);
-  const std::vector<double> wanted = alone->statistics().errors, one = errors({});
+  Stage alone(loaded.scene, loaded.scene.job.frames);
+  alone.make_integrator(messages);
+  for (int i = 0; i < 16; ++i) alone.iterate(i);
+  const std::vector<double> wanted = alone.integrator().statistics().errors, one = errors({});
   ASSERT_EQ(one.size(), 3u);
   for (std::size_t f = 0; f < 3; ++f) {
     EXPECT_GT(wanted[f], 0.01);

@@ -35,6 +35,13 @@ TEST(Stamp, OtherVersionsDoNot) {
   }
 }
 
+TEST(Stamp, OtherHeadersDoNot) {
+  ModuleStamp stamp = current_stamp();
+  ++stamp.interface;
+  const std::string why = why_unfit(bytes_of(stamp));
+  EXPECT_TRUE(contains(why, "headers") && contains(why, "rebuild it")) << why;
+}
+
 TEST(Stamp, OtherStringsOrCompilersDoNot) {
   ModuleStamp stamp = current_stamp();
   stamp.new_strings = 0;

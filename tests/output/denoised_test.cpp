@@ -70,7 +70,7 @@ TEST(Denoised, TilesUnderWaterKeepTheirContrast) {
   test::TestScene test(kBasin, choices);
   const auto scene = test.scene(test.all_frames());
   const auto integrator = test.integrator(*scene);
-  for (int i = 0; i < 16; ++i) integrator->iterate(i, *scene);
+  for (int i = 0; i < 16; ++i) integrator->iterate({i, *scene});
   const Image plain = integrator->estimate(0), clean = denoised(Denoiser::own, plain, *integrator, 0, {}),
               albedo = integrator->estimate(0, "denoisingalbedo");
   EXPECT_NEAR(contrast(clean, albedo), contrast(plain, albedo), 0.05);

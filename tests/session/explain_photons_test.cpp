@@ -6,7 +6,7 @@
 #include "dspm/image/image.h"
 #include "dspm/integrators/guiding/file_sample.h"
 #include "dspm/integrators/integrator.h"
-#include "dspm/session/session.h"
+#include "dspm/session/stage.h"
 
 namespace dspm {
 namespace {
@@ -49,11 +49,11 @@ struct Explained {
 };
 
 std::vector<Rgb> rendered(const LoadedScene& loaded) {
-  const auto made_of = loaded.world->scene(std::vector<FileFrame>{FileFrame(1)});
   Messages messages(true);
-  const auto integrator = make_integrator(loaded.job, *made_of, messages);
-  integrator->iterate(0, *made_of);
-  return integrator->estimate(0).pixels;
+  Stage stage(loaded, {FileFrame(1)});
+  stage.make_integrator(messages);
+  stage.iterate(0);
+  return stage.integrator().estimate(0).pixels;
 }
 
 TEST(ExplainPhotons, TellsWhatWasLearned) {

@@ -319,6 +319,16 @@ TEST(Memory, TooLittleIsAnErrorBeforeRendering) {
 #endif
 }
 
+TEST(Memory, AnIntegratorThatCannotBeMadeIsAnErrorOfTheScene) {
+  const TemporaryDirectory directory;
+  put_file(directory / "catcher.dsc", R"(Integrator "ambientocclusion"
+Camera "perspective" Film "rgb" "integer xresolution" 8 "integer yresolution" 8
+WorldBegin Shape "disk" "float height" 3 "bool shadowcatcher" true)");
+  const Outcome outcome = run(directory, {"catcher.dsc", "--memory", "500M"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.err.find("catcher.dsc:1:1: error: "), std::string::npos) << outcome.err;
+}
+
 TEST(Memory, SenselessBytesAreUsageErrors) {
   const Directory directory;
   for (const char* memory : {"0", "-1", "12X", "", "G", "1e3", "2GG", "nan", "1 G", "2000000T"})

@@ -25,9 +25,9 @@ class Stumbling : public IdleIntegrator {
   static inline int stumbles_after = 3;                    // iterations
 
   int iterations() const override { return 6; }
-  void iterate(int iteration, const Scene&) override {
+  void iterate(const Iteration& iteration) override {
     ++done_;
-    if (iteration == stumbles_after && stumble) stumble();
+    if (iteration.number == stumbles_after && stumble) stumble();
   }
   bool persist(StateStream& state) override {
     state.value(done_);

@@ -9,7 +9,7 @@ class IdleIntegrator : public Integrator {
  public:
   int iterations() const override { return 1; }
   std::string settings() const override { return {}; }
-  void iterate(int, const Scene&) override {}
+  void iterate(const Iteration&) override {}
   Image estimate(Frame, const std::string&) const override { return {}; }
   Statistics statistics() const override { return {}; }
 };

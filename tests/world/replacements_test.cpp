@@ -8,6 +8,7 @@
 #include "dspm/session/frame_intervals.h"
 #include "dspm/session/job/choices.h"
 #include "dspm/session/job/job.h"
+#include "dspm/session/stage.h"
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
@@ -122,8 +123,8 @@ TEST(Replacements, OfTheIntegratorsSettings) {
   for (const FrameList& interval : intervals) {
     const std::unique_ptr<Scene> scene = together.scene(interval);
     Diagnostics diagnostics;
-    const std::unique_ptr<Integrator> made = together.job().make_integrator(*scene, diagnostics);
-    for (int i = 0; i < 2; ++i) made->iterate(i, *scene);
+    const std::unique_ptr<Integrator> made = make_integrator(together.job(), *scene, diagnostics);
+    for (int i = 0; i < 2; ++i) made->iterate({i, *scene});
     for (std::size_t j = 0; j < interval.size(); ++j) {
       const int frame = interval[j].index();
       EXPECT_EQ(made->estimate(static_cast<Frame>(j)), (frame < 3 ? before : after).render(FileFrame(frame % 3), 2));

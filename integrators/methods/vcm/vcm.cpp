@@ -18,7 +18,6 @@
 //   lighttracing  light paths' vertices with the camera   true
 //   emission      where light paths start                 guided; or power
 //   sharepaths    frames that scatter alike share paths   true
-#include "dspm/integrators/guiding/emission_of_file.h"
 #include "dspm/integrators/methods/vcm/vcm.h"
 
 #include <fmt/format.h>
@@ -28,6 +27,7 @@
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
+#include "dspm/integrators/guiding/emission_of_file.h"
 #include "dspm/integrators/guiding/file_sample.h"
 #include "dspm/integrators/guiding/pilot_pixels.h"
 #include "dspm/integrators/max_depth.h"
@@ -117,11 +117,12 @@ class Vcm final : public SummingIntegrator {
                        settings_.max_depth);
   }
 
-  void iterate(int iteration, const Scene& scene) override {
-    radius_.go_to(iteration, settings_.alpha);
+  void iterate(const Iteration& iteration) override {
+    const Scene& scene = iteration.scene;
+    radius_.go_to(iteration.number, settings_.alpha);
     done_.advance([&](SeenLightSums& sums, Statistics& statistics) {
       if (learned_ == nullptr) learn(scene, statistics);
-      const VcmPass pass = pass_of(settings_, scene, render_, static_cast<std::uint64_t>(iteration),
+      const VcmPass pass = pass_of(settings_, scene, render_, static_cast<std::uint64_t>(iteration.number),
                                    radius_.of(settings_.radius), &learned_->guides);
       if (needs_light_paths(settings_)) trace_light_subpaths(pass, sums, statistics);
       if (settings_.merge) build_map(pass, statistics);

@@ -17,11 +17,11 @@ class Mischief final : public Integrator {
 
   int iterations() const override { return 4; }
   std::string settings() const override { return mood_; }
-  void iterate(int iteration, const Scene&) override {
-    if (iteration == 2 && mood_ == "throw") throw std::runtime_error("out of paint");
-    if (iteration == 2 && mood_ == "hang") std::this_thread::sleep_for(std::chrono::seconds(3));
-    if (iteration == 2 && mood_ == "hoard") hoard();
-    if (iteration == 1) die();
+  void iterate(const Iteration& iteration) override {
+    if (iteration.number == 2 && mood_ == "throw") throw std::runtime_error("out of paint");
+    if (iteration.number == 2 && mood_ == "hang") std::this_thread::sleep_for(std::chrono::seconds(3));
+    if (iteration.number == 2 && mood_ == "hoard") hoard();
+    if (iteration.number == 1) die();
     ++statistics_.iterations;
   }
   Image estimate(Frame frame, const std::string&) const override {
