@@ -48,8 +48,8 @@ struct Bvh {
 
   Nodes nodes;             // empty if there are no pieces
   std::uint32_t root = 0;  // those before it are below it
-  std::vector<NodeFrames> node_frames;
-  std::vector<Leaf> leaves;
+  UntouchedVector<NodeFrames> node_frames;
+  UntouchedVector<Leaf> leaves;
   std::vector<std::uint32_t> order;  // piece numbers
 
   const Node& root_node() const { return nodes[root]; }

@@ -1,12 +1,17 @@
 // Builds a Bvh top down: a node's range of pieces is cut into 8 ranges, always cutting the range with the largest box
-// at the best split of a binned surface area heuristic. The result depends only on the order of the pieces.
+// at the best split of a binned surface area heuristic. The result depends only on the order of the pieces: sums over
+// many of them are boxes, sets and whole numbers, which are the same however they are shared out among threads.
 #include <algorithm>
 #include <bit>
 #include <numeric>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "dspm/accel/bvh.h"
 #include "dspm/base/math/frames.h"
+#include "dspm/base/system/parallel.h"
+#include "dspm/base/system/untouched.h"
 
 namespace dspm {
 namespace {
@@ -16,26 +21,59 @@ constexpr int kBins = 32;
 constexpr int kFreeLevels = 48;
 // The assumed fraction of rays in all frames; the others are assumed to be in one.
 constexpr float kShareOfFullRays = 0.5f;
+constexpr std::uint32_t kAtOnce = 1 << 12;  // pieces that are worth no second thread
 
 struct Range {
   std::uint32_t first = 0, count = 0;
   std::int64_t size = 0;  // of all pieces
   Bounds3 bounds, centers;
   FrameSet frames;
+
+  Range& operator+=(const Range& o) {
+    count += o.count, size += o.size, bounds.add(o.bounds), centers.add(o.centers), frames |= o.frames;
+    return *this;
+  }
+};
+
+/// A node, which comes first, and what is below it. Children are numbered within it.
+struct Subtree {
+  Bvh::Nodes nodes;
+  UntouchedVector<Bvh::NodeFrames> node_frames;
+  UntouchedVector<Bvh::Leaf> leaves;
+
+  std::uint32_t add_leaf(const Range& r) {
+    leaves.push_back({r.first, r.count});
+    return Bvh::kLeaf + static_cast<std::uint32_t>(leaves.size() - 1);
+  }
+  void resize(std::size_t node_count, std::size_t leaf_count) {
+    nodes.resize(node_count), node_frames.resize(node_count), leaves.resize(leaf_count);
+  }
+  /// Copies another subtree to this place.
+  void put(const Subtree& o, std::uint32_t node, std::uint32_t leaf) {
+    for (std::size_t n = 0; n < o.nodes.size(); ++n) {
+      Bvh::Node& to = nodes[node + n] = o.nodes[n];
+      for (std::uint32_t& child : to.child) child += child < Bvh::kLeaf ? node : leaf;
+    }
+    std::copy(o.node_frames.begin(), o.node_frames.end(), node_frames.begin() + node);
+    std::copy(o.leaves.begin(), o.leaves.end(), leaves.begin() + leaf);
+  }
 };
 
 class Builder {
  public:
   Builder(std::span<const Piece> pieces, int leaf_size, FrameSet frames)
-      : pieces_(pieces), leaf_size_(leaf_size), all_frames_(frames) {
-    bvh_.order.resize(pieces.size());
-    std::iota(bvh_.order.begin(), bvh_.order.end(), 0u);
+      : pieces_(pieces), leaf_size_(leaf_size), all_frames_(frames), order_(pieces.size()) {
+    if (pieces.size() > kAtOnce) room_.resize(pieces.size());
+    std::iota(order_.begin(), order_.end(), 0u);
   }
 
   Bvh build() && {
-    if (pieces_.empty()) return std::move(bvh_);
-    add_node(range(0, static_cast<std::uint32_t>(pieces_.size())), 0);
-    return std::move(bvh_);
+    Subtree all;
+    if (!pieces_.empty()) add_node(all, range(0, static_cast<std::uint32_t>(pieces_.size())), 0);
+    Bvh bvh;
+    bvh.nodes = std::move(all.nodes), bvh.node_frames = std::move(all.node_frames);
+    bvh.leaves = std::move(all.leaves), bvh.order = std::move(order_);
+    return bvh;
   }
 
  private:
@@ -46,14 +84,35 @@ class Builder {
 
     void add(const Bin& o) { bounds.add(o.bounds), frames |= o.frames, size += o.size; }
   };
-  using Bins = std::array<Bin, kBins>;
+  struct Bins {
+    std::array<std::array<Bin, kBins>, 4> of_axis;
+
+    Bins& operator+=(const Bins& o) {
+      for (std::size_t axis = 0; axis < of_axis.size(); ++axis)
+        for (std::size_t at = 0; at < kBins; ++at) of_axis[axis][at].add(o.of_axis[axis][at]);
+      return *this;
+    }
+  };
   /// Pieces below bin `at` go to the left; axis 3 is time: the lowest frame.
   struct Split {
     float cost = kInfinity;
     int axis = -1, at = 0;
   };
 
-  const Piece& piece(std::uint32_t place) const { return pieces_[bvh_.order[place]]; }
+  const Piece& piece(std::uint32_t place) const { return pieces_[order_[place]]; }
+
+  /// Returns the sum of what sum_of(first place, end) returns for parts of these places.
+  template <class SumOf>
+  static auto sum_over(std::uint32_t first, std::uint32_t count, SumOf&& sum_of) {
+    if (count <= kAtOnce) return sum_of(first, first + count);
+    std::vector<decltype(sum_of(first, first))> parts(static_cast<std::size_t>(chunk_count(count, kAtOnce)));
+    parallel_chunks(count, kAtOnce, [&](std::int64_t begin, std::int64_t end) {
+      parts[static_cast<std::size_t>(begin / kAtOnce)] =
+          sum_of(first + static_cast<std::uint32_t>(begin), first + static_cast<std::uint32_t>(end));
+    });
+    for (std::size_t i = 1; i < parts.size(); ++i) parts[0] += parts[i];
+    return parts[0];
+  }
 
   /// Returns the expected cost of leaves, without the nodes above them.
   float cost(const Bin& bin) const {
@@ -63,15 +122,16 @@ class Builder {
   }
 
   Range range(std::uint32_t first, std::uint32_t count) const {
-    Range r;
-    r.first = first, r.count = count;
-    for (std::uint32_t i = first; i < first + count; ++i) {
-      r.bounds.add(piece(i).bounds);
-      r.centers.add(piece(i).bounds.center());
-      r.frames |= piece(i).frames;
-      r.size += piece(i).size;
-    }
-    return r;
+    return sum_over(first, count, [&](std::uint32_t begin, std::uint32_t end) {
+      Range r;
+      r.first = begin;
+      for (std::uint32_t i = begin; i < end; ++i) {
+        const Piece& p = piece(i);
+        r.bounds.add(p.bounds), r.centers.add(p.bounds.center());
+        r.frames |= p.frames, r.size += p.size, ++r.count;
+      }
+      return r;
+    });
   }
 
   /// Returns the bin of a piece along an axis; -1 if all pieces of the range would fall into the same bin.
@@ -87,20 +147,25 @@ class Builder {
   }
 
   Split best_split(const Range& r) const {
-    Split best;
-    for (int axis = 0; axis < 4; ++axis) {
-      if (bin_of(r, axis, piece(r.first)) < 0) continue;
-      Bins bins;
-      for (std::uint32_t i = r.first; i < r.first + r.count; ++i) {
-        const Piece& p = piece(i);
-        bins[static_cast<std::size_t>(bin_of(r, axis, p))].add({p.bounds, p.frames, p.size});
+    const Bins bins = sum_over(r.first, r.count, [&](std::uint32_t begin, std::uint32_t end) {
+      Bins some{};
+      for (int axis = 0; axis < 4; ++axis) {
+        if (bin_of(r, axis, piece(r.first)) < 0) continue;
+        for (std::uint32_t i = begin; i < end; ++i) {
+          const Piece& p = piece(i);
+          some.of_axis[static_cast<std::size_t>(axis)][static_cast<std::size_t>(bin_of(r, axis, p))].add(
+              {p.bounds, p.frames, p.size});
+        }
       }
-      consider(bins, axis, best);
-    }
+      return some;
+    });
+    Split best;
+    for (int axis = 0; axis < 4; ++axis)
+      if (bin_of(r, axis, piece(r.first)) >= 0) consider(bins.of_axis[static_cast<std::size_t>(axis)], axis, best);
     return best;
   }
 
-  void consider(const Bins& bins, int axis, Split& best) const {
+  void consider(const std::array<Bin, kBins>& bins, int axis, Split& best) const {
     std::array<float, kBins> right_cost{};
     Bin right, left;
     for (std::size_t at = kBins - 1; at > 0; --at) {
@@ -115,17 +180,37 @@ class Builder {
   }
 
   std::array<Range, 2> cut(const Range& r, bool free) {
-    const auto begin = bvh_.order.begin() + r.first, end = begin + r.count;
     const Split split = free ? best_split(r) : Split{};
-    auto middle = begin + r.count / 2;
+    std::uint32_t count = r.count / 2;
     if (split.axis >= 0)
-      middle =
-          std::partition(begin, end, [&](std::uint32_t p) { return bin_of(r, split.axis, pieces_[p]) < split.at; });
-    const auto count = static_cast<std::uint32_t>(middle - begin);
+      count = partition(r, [&](std::uint32_t p) { return bin_of(r, split.axis, pieces_[p]) < split.at; });
     return {range(r.first, count), range(r.first + count, r.count - count)};
   }
 
-  std::uint32_t add_node(const Range& all, int level) {
+  /// Moves the pieces of the left part before the others; returns how many they are.
+  template <class IsLeft>
+  std::uint32_t partition(const Range& r, IsLeft&& is_left) {
+    const auto begin = order_.begin() + r.first;
+    if (r.count <= kAtOnce) return static_cast<std::uint32_t>(std::partition(begin, begin + r.count, is_left) - begin);
+    std::vector<std::uint32_t> left(static_cast<std::size_t>(chunk_count(r.count, kAtOnce)));
+    parallel_chunks(r.count, kAtOnce, [&](std::int64_t first, std::int64_t end) {
+      left[static_cast<std::size_t>(first / kAtOnce)] =
+          static_cast<std::uint32_t>(std::count_if(begin + first, begin + end, is_left));
+    });
+    std::uint32_t count = 0;
+    for (std::uint32_t& of_part : left) of_part = std::exchange(count, count + of_part);
+    const auto room = room_.begin() + r.first;
+    parallel_chunks(r.count, kAtOnce, [&](std::int64_t first, std::int64_t end) {
+      const std::uint32_t before = left[static_cast<std::size_t>(first / kAtOnce)];
+      std::partition_copy(begin + first, begin + end, room + before,
+                          room + count + static_cast<std::uint32_t>(first) - before, is_left);
+    });
+    parallel_chunks(r.count, kAtOnce,
+                    [&](std::int64_t first, std::int64_t end) { std::copy(room + first, room + end, begin + first); });
+    return count;
+  }
+
+  std::uint32_t add_node(Subtree& tree, const Range& all, int level) {
     const bool free = level < kFreeLevels;
     std::array<Range, Bvh::kWidth> children{all};
     std::size_t size = 1;
@@ -141,28 +226,55 @@ class Builder {
       children[size++] = right;
     }
 
-    const auto number = static_cast<std::uint32_t>(bvh_.nodes.size());
-    bvh_.nodes.push_back(Bvh::Node::empty());
-    bvh_.node_frames.emplace_back();
-    for (std::size_t i = 0; i < size; ++i) bvh_.nodes.back().set_box(i, children[i].bounds);
+    const auto number = static_cast<std::uint32_t>(tree.nodes.size());
+    tree.nodes.push_back(Bvh::Node::empty());
+    tree.node_frames.push_back({});
     for (std::size_t i = 0; i < size; ++i) {
-      const Range& r = children[i];
-      const std::uint32_t child = r.size <= leaf_size_ ? add_leaf(r) : add_node(r, level + 1);
-      bvh_.nodes[number].child[i] = child;
-      bvh_.node_frames[number][i] = r.frames;
+      tree.nodes.back().set_box(i, children[i].bounds);
+      tree.node_frames.back()[i] = children[i].frames;
+    }
+    const auto some = std::span(children).first(size);
+    if (all.count > kAtOnce) {
+      add_below(tree, number, some, level);
+    } else {
+      for (std::size_t i = 0; i < size; ++i) {
+        const Range& r = some[i];
+        const std::uint32_t child = r.size <= leaf_size_ ? tree.add_leaf(r) : add_node(tree, r, level + 1);
+        tree.nodes[number].child[i] = child;
+      }
     }
     return number;
   }
 
-  std::uint32_t add_leaf(const Range& r) {
-    bvh_.leaves.push_back({r.first, r.count});
-    return Bvh::kLeaf + static_cast<std::uint32_t>(bvh_.leaves.size() - 1);
+  /// Adds what is below a node, the last so far, on many threads.
+  void add_below(Subtree& tree, std::uint32_t number, std::span<const Range> children, int level) {
+    std::vector<Subtree> below(children.size());
+    parallel_for(static_cast<std::int64_t>(children.size()), 1, [&](std::int64_t i) {
+      const auto at = static_cast<std::size_t>(i);
+      if (children[at].size > leaf_size_) add_node(below[at], children[at], level + 1);
+    });
+    std::vector<std::uint32_t> first_node, first_leaf;
+    auto nodes = static_cast<std::uint32_t>(tree.nodes.size()), leaves = static_cast<std::uint32_t>(tree.leaves.size());
+    for (std::size_t i = 0; i < children.size(); ++i) {
+      Subtree& part = below[i];
+      const bool is_leaf = part.nodes.empty();
+      if (is_leaf) part.add_leaf(children[i]);
+      tree.nodes[number].child[i] = is_leaf ? Bvh::kLeaf + leaves : nodes;
+      first_node.push_back(std::exchange(nodes, nodes + static_cast<std::uint32_t>(part.nodes.size())));
+      first_leaf.push_back(std::exchange(leaves, leaves + static_cast<std::uint32_t>(part.leaves.size())));
+    }
+    tree.resize(nodes, leaves);
+    parallel_for(static_cast<std::int64_t>(children.size()), 1, [&](std::int64_t i) {
+      const auto at = static_cast<std::size_t>(i);
+      tree.put(std::exchange(below[at], {}), first_node[at], first_leaf[at]);
+    });
   }
 
   std::span<const Piece> pieces_;
   int leaf_size_;
   FrameSet all_frames_;
-  Bvh bvh_;
+  std::vector<std::uint32_t> order_;     // piece numbers
+  UntouchedVector<std::uint32_t> room_;  // for the order of large ranges
 };
 
 }  // namespace

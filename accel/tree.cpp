@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "dspm/accel/tree_limits.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
+#include "dspm/base/system/parallel.h"
 
 namespace dspm {
 
@@ -79,14 +82,33 @@ std::size_t Tree::memory() const {
          crowds_.capacity() * sizeof(PlacedCrowd) + frames_.capacity() * sizeof(FrameSet);
 }
 
+// Many small trees are built at the same time, large ones one after the other by all threads.
+MeshTrees::MeshTrees(BvhBuilder builder, std::span<const PlacedShape> shapes) : builder_(builder) {
+  constexpr int kLarge = 1 << 12;
+  std::vector<std::pair<const Shape*, Own*>> small;
+  for (const PlacedShape& placed : shapes) {
+    if (!has_own_tree(placed)) continue;
+    const auto [own, is_new] = trees_.try_emplace(placed.shape);
+    if (is_new && placed.shape->primitive_count() < kLarge) small.emplace_back(placed.shape, &own->second);
+  }
+  parallel_for(static_cast<std::int64_t>(small.size()), 1, [&](std::int64_t i) {
+    const auto& [mesh, own] = small[static_cast<std::size_t>(i)];
+    build(*mesh, *own);
+  });
+  for (auto& [mesh, own] : trees_)
+    if (!own.tree) build(*mesh, own);
+}
+
+void MeshTrees::build(const Shape& mesh, Own& own) {
+  const FrameSet only = FrameSet::single(0);
+  own.placed = {.shape = &mesh, .to_world = {}, .frames = only};
+  const int first = 0;
+  own.tree = std::make_unique<const Tree>(std::span(&own.placed, 1), std::span(&first, 1), only, builder_, *this);
+}
+
 const Tree& MeshTrees::of(const Shape& mesh) {
   Own& own = trees_[&mesh];
-  if (!own.tree) {
-    const FrameSet only = FrameSet::single(0);
-    own.placed = {.shape = &mesh, .to_world = {}, .frames = only};
-    const int first = 0;
-    own.tree = std::make_unique<const Tree>(std::span(&own.placed, 1), std::span(&first, 1), only, builder_, *this);
-  }
+  if (!own.tree) build(mesh, own);
   return *own.tree;
 }
 

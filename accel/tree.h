@@ -46,6 +46,7 @@ inline bool has_own_tree(const PlacedShape& shape) {
 
 class Tree {
  public:
+  Tree() = default;
   /// Builds a tree over shapes[i] for all i in `which`. `all` are the frames that rays may query. If the shapes are
   /// there in all of them, `builder` builds the tree; otherwise our own does, which knows frames.
   Tree(std::span<const PlacedShape> shapes, std::span<const int> which, FrameSet all, BvhBuilder builder,
@@ -112,6 +113,8 @@ class Tree {
 class MeshTrees {
  public:
   explicit MeshTrees(BvhBuilder builder) : builder_(builder) {}
+  /// Builds the trees of these shapes; afterwards, of() may be called by several threads.
+  MeshTrees(BvhBuilder builder, std::span<const PlacedShape> shapes);
   const Tree& of(const Shape& mesh);
   std::size_t memory() const;
 
@@ -120,6 +123,8 @@ class MeshTrees {
     PlacedShape placed;  // where it is; the tree's primitives refer to it
     std::unique_ptr<const Tree> tree;
   };
+
+  void build(const Shape& mesh, Own& own);
 
   BvhBuilder builder_;
   std::map<const Shape*, Own> trees_;  // lookups only, so addresses affect no result

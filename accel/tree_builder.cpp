@@ -152,16 +152,23 @@ class Tree::Builder {
   std::vector<std::uint32_t> fill_leaves(const Bvh& above, const TrianglePieces& triangles) {
     std::vector<std::uint32_t> places;
     places.reserve(above.leaves.size()), tree_.placed_.reserve(placed_.size());
+    std::vector<std::uint8_t> packets_of_leaf(above.leaves.size());
+    parallel_for(static_cast<std::int64_t>(above.leaves.size()), 1 << 10, [&](std::int64_t l) {
+      const Bvh::Leaf& leaf = above.leaves[static_cast<std::size_t>(l)];
+      if (above.order[leaf.first] < std::min(first_of_crowds_, triangles.count()))
+        packets_of_leaf[static_cast<std::size_t>(l)] =
+            static_cast<std::uint8_t>(packets_of(pieces_in(above, leaf), triangles));
+    });
     std::size_t packets = 0;
-    for (const Bvh::Leaf& leaf : above.leaves) {
-      const std::size_t first = above.order[leaf.first];
+    for (std::size_t l = 0; l < above.leaves.size(); ++l) {
+      const std::size_t first = above.order[above.leaves[l].first];
       if (first >= first_of_crowds_) {
         places.push_back(static_cast<std::uint32_t>(first - first_of_crowds_));
       } else if (first >= triangles.count()) {
         places.push_back(Bvh::kLeaf + kPlaced + static_cast<std::uint32_t>(tree_.placed_.size()));
         tree_.placed_.push_back(placed_[first - triangles.count()]);
       } else {
-        const std::size_t count = packets_of(pieces_in(above, leaf), triangles);
+        const std::size_t count = packets_of_leaf[l];
         places.push_back(Bvh::kLeaf + (count == 2 ? kTwo : 0) + static_cast<std::uint32_t>(packets));
         packets += count;
       }
@@ -211,6 +218,7 @@ class Tree::Builder {
       all.nodes.insert(all.nodes.end(), above.nodes.begin(), above.nodes.end());
     }
     if (alike) return;
+    if (crowd_frames_.empty()) return void(all.node_frames = std::move(above.node_frames));
     for (const FrameSet frames : crowd_frames_) all.node_frames.emplace_back().fill(frames);
     all.node_frames.insert(all.node_frames.end(), above.node_frames.begin(), above.node_frames.end());
   }

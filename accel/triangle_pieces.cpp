@@ -1,6 +1,9 @@
 #include "dspm/accel/triangle_pieces.h"
 
+#include <algorithm>
 #include <bit>
+#include <utility>
+#include <vector>
 
 #include "dspm/accel/box_ray.h"
 #include "dspm/base/system/parallel.h"
@@ -13,11 +16,15 @@ namespace {
 // united box is at most this many times that of one frame's box.
 constexpr float kMostGrowth = 4;
 
+/// Cuts primitives of meshes of the same topology, in frame order.
 class Cutter {
  public:
-  Cutter(std::span<const PlacedShape> shapes, TrianglePieces& out) : shapes_(shapes), out_(out) {}
+  explicit Cutter(std::span<const PlacedShape> shapes) : shapes_(shapes) {}
 
-  /// Cuts the same primitive of meshes of the same topology, in frame order.
+  std::vector<Piece> pieces;
+  std::vector<std::uint32_t> ends;  // of the pieces' triangles
+  std::vector<TrianglePieces::Triangle> triangles;
+
   void cut(std::span<const int> sequence, int primitive) {
     if (sequence.size() > kLeafSize) return cut_in_two(sequence, primitive);
     Piece piece{{}, {}, static_cast<int>(sequence.size())};
@@ -28,9 +35,9 @@ class Cutter {
     }
     if (piece.size > 1 && piece.bounds.half_area() * static_cast<float>(piece.size) > kMostGrowth * area)
       return cut_in_two(sequence, primitive);
-    out_.pieces.push_back(piece);
-    for (const int s : sequence) out_.triangles.push_back({s, primitive});
-    out_.first_triangle.push_back(static_cast<std::uint32_t>(out_.triangles.size()));
+    pieces.push_back(piece);
+    for (const int s : sequence) triangles.push_back({s, primitive});
+    ends.push_back(static_cast<std::uint32_t>(triangles.size()));
   }
 
  private:
@@ -42,7 +49,6 @@ class Cutter {
   }
 
   std::span<const PlacedShape> shapes_;
-  TrianglePieces& out_;
 };
 
 /// Returns how many of the first shapes are meshes with the same faces.
@@ -66,16 +72,37 @@ TrianglePieces::TrianglePieces(std::span<const PlacedShape> shapes, std::span<co
   first_triangle.reserve(most + 1), triangles.reserve(most);
   first_triangle.push_back(0);
 
-  Cutter cutter(shapes, *this);
   while (!which.empty()) {
     const std::size_t length = sequence_length(shapes, which);
-    const int count = shapes[static_cast<std::size_t>(which.front())].shape->primitive_count();
     if (length == 1)
       add_each(which.front(), shapes[static_cast<std::size_t>(which.front())]);
     else
-      for (int p = 0; p < count; ++p) cutter.cut(which.first(length), p);
+      add_cut(shapes, which.first(length));
     which = which.subspan(length);
   }
+}
+
+void TrianglePieces::add_cut(std::span<const PlacedShape> shapes, std::span<const int> sequence) {
+  constexpr int kAtOnce = 1 << 10;
+  const int primitives = shapes[static_cast<std::size_t>(sequence.front())].shape->primitive_count();
+  std::vector<Cutter> parts(static_cast<std::size_t>(chunk_count(primitives, kAtOnce)), Cutter(shapes));
+  parallel_for(primitives, kAtOnce, [&](std::int64_t p) {
+    parts[static_cast<std::size_t>(p / kAtOnce)].cut(sequence, static_cast<int>(p));
+  });
+  std::vector<std::size_t> first_piece{pieces.size()}, first{triangles.size()};  // of each part
+  for (const Cutter& part : parts) {
+    first_piece.push_back(first_piece.back() + part.pieces.size());
+    first.push_back(first.back() + part.triangles.size());
+  }
+  pieces.resize(first_piece.back()), first_triangle.resize(first_piece.back() + 1), triangles.resize(first.back());
+  parallel_for(static_cast<std::int64_t>(parts.size()), 1, [&](std::int64_t i) {
+    const auto p = static_cast<std::size_t>(i);
+    const Cutter part = std::move(parts[p]);
+    std::copy(part.pieces.begin(), part.pieces.end(), pieces.data() + first_piece[p]);
+    std::copy(part.triangles.begin(), part.triangles.end(), triangles.data() + first[p]);
+    std::transform(part.ends.begin(), part.ends.end(), first_triangle.data() + first_piece[p] + 1,
+                   [&](std::uint32_t end) { return static_cast<std::uint32_t>(first[p] + end); });
+  });
 }
 
 /// Makes of each mesh alone what cut() makes of a sequence.

@@ -29,6 +29,7 @@ struct TrianglePieces {
 
  private:
   void add_each(int shape, const PlacedShape& placed);
+  void add_cut(std::span<const PlacedShape> shapes, std::span<const int> sequence);
 };
 
 }  // namespace dspm

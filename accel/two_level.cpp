@@ -7,6 +7,7 @@
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/params/params.h"
+#include "dspm/base/system/parallel.h"
 
 namespace dspm {
 namespace {
@@ -38,18 +39,20 @@ HitPartition one_part(FrameSet frames, const RayHit& hit) {
 }  // namespace
 
 TwoLevel::TwoLevel(std::span<const PlacedShape> shapes, FrameSet all, BvhBuilder builder)
-    : meshes_(builder),
+    : meshes_(builder, shapes),
       static_(shapes, numbers_of(shapes, [&](const PlacedShape& s) { return s.frames.contains(all); }), all, builder,
               meshes_),
       dynamic_(shapes, numbers_of(shapes, [&](const PlacedShape& s) { return in_some(s, all); }), all, BvhBuilder::own,
                meshes_),
       margins_(std::max(static_.margins(), dynamic_.margins())) {
   if (dynamic_.empty() || live_too_long(shapes, all)) return;
-  for (Frame f = 0; f < kMaxFrames && all.contains(f); ++f) {
+  of_frame_.resize(static_cast<std::size_t>(all.count()));
+  parallel_for(all.count(), 1, [&](std::int64_t i) {
+    const auto f = static_cast<Frame>(i);
     const auto there =
         numbers_of(shapes, [&](const PlacedShape& s) { return in_some(s, all) && s.frames.contains(f); });
-    of_frame_.emplace_back(shapes, there, FrameSet::single(f), BvhBuilder::own, meshes_);
-  }
+    of_frame_[static_cast<std::size_t>(i)] = {shapes, there, FrameSet::single(f), BvhBuilder::own, meshes_};
+  });
 }
 
 template <class Query>
@@ -110,7 +113,7 @@ std::size_t two_level_bytes(std::span<const PlacedShape> shapes, FrameSet all) {
       in_trees_of_frames += count * static_cast<std::size_t>((shape.frames & all).count());
   }
   if (live_too_long(shapes, all)) in_trees_of_frames = 0;
-  return kKept * (still + moving + in_trees_of_frames) + kBuilding * std::max(still, moving);
+  return kKept * (still + moving + in_trees_of_frames) + kBuilding * std::max({still, moving, in_trees_of_frames});
 }
 
 std::unique_ptr<Accel> make_two_level(ParamReader& reader, std::span<const PlacedShape> shapes, FrameSet all) {

@@ -117,10 +117,12 @@ void grow(Box& box, double most_worth) {
   for (const Box& half : *box.halves) box.boxes_within += 1 + half.boxes_within;
 }
 
-void add_worths(const Box& box, std::vector<double>& worths) {
+/// Writes the worths of all boxes that are halved, from `at` on.
+void put_worths(Box& box, double* at) {
   if (box.halves == nullptr) return;
-  worths.push_back(box.worth);
-  for (const Box& half : *box.halves) add_worths(half, worths);
+  *at++ = box.worth;
+  const std::size_t within_lower = (*box.halves)[0].boxes_within / 2;
+  for_each_half(box, [&](Box& half, bool upper) { put_worths(half, upper ? at + within_lower : at); });
 }
 
 /// Returns a record next to that one, at a place that follows from its numbers.
@@ -168,7 +170,6 @@ class Trees {
       roots_[light].place = first;
       grow(roots_[light], std::numeric_limits<double>::infinity());
     });
-    least_worth_ = most_worth_not_affordable();
   }
 
   /// Writes the records, light by light, each with one beside it. Without those the density would fall off a cliff at
@@ -179,6 +180,7 @@ class Trees {
   }
 
   EmissionGuide guide() {
+    least_worth_ = most_worth_not_affordable();
     for_each_root([&](std::size_t light) { settle(roots_[light], 0); });
     double drawn = 0;
     std::vector<std::size_t> first_within(roots_.size() + 1, roots_.size());
@@ -203,13 +205,13 @@ class Trees {
 
   /// If there are too many boxes, returns the worth up to which boxes stay whole: the variance falls most by halving
   /// the others.
-  double most_worth_not_affordable() const {
+  double most_worth_not_affordable() {
     const std::size_t most = EmissionGuide::kMostCells - std::min(EmissionGuide::kMostCells, roots_.size());
-    std::size_t boxes = 0;
-    for (const Box& root : roots_) boxes += root.boxes_within;
-    if (boxes / 2 <= most) return 0;
-    std::vector<double> worths;
-    for (const Box& root : roots_) add_worths(root, worths);
+    std::vector<std::size_t> halved{0};  // in the trees before, and in all
+    for (const Box& root : roots_) halved.push_back(halved.back() + root.boxes_within / 2);
+    if (halved.back() <= most) return 0;
+    std::vector<double> worths(halved.back());
+    for_each_root([&](std::size_t light) { put_worths(roots_[light], worths.data() + halved[light]); });
     const auto first_left = worths.begin() + static_cast<std::ptrdiff_t>(most);
     std::nth_element(worths.begin(), first_left, worths.end(), std::greater<>());
     return *first_left;
@@ -233,17 +235,17 @@ class Trees {
 
   /// Writes node `at`, and the nodes of the boxes within it from `first` on. What is within the lower half comes before
   /// what is within the upper one, so a way down is short in memory as well. `density` is that of what is drawn from
-  /// the larger boxes.
+  /// the larger boxes. Frees the halves.
   void lay(Box& box, std::size_t at, std::size_t first, double density, std::vector<EmissionGuide::Node>& nodes) const {
     density += guided_ * box.drawn / box.box.volume();
     nodes[at].probability = density * box.box.volume();
-    if (!is_halved(box)) return;
+    if (!is_halved(box)) return box.halves.reset();
     nodes[at].first_child = static_cast<int>(first), nodes[at].side = box.side;
     const std::size_t of_upper = first + 2 + (*box.halves)[0].boxes_within;
     for_each_half(box, [&](Box& half, bool upper) {
       lay(half, first + upper, upper ? of_upper : first + 2, density, nodes);
-      half.halves = nullptr;
     });
+    box.halves = nullptr;
   }
 
   std::span<const float> usual_;
