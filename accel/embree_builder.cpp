@@ -9,6 +9,7 @@
 
 #include "dspm/accel/bvh.h"
 #include "dspm/accel/embree.h"
+#include "dspm/accel/embree_version.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/base/system/work.h"
 
@@ -183,5 +184,7 @@ Bvh build_bvh_with_embree(std::span<const Piece> pieces, int leaf_size) {
   if (!root) throw std::bad_alloc();
   return Copy(pieces).of(*static_cast<const Made*>(root));
 }
+
+std::string_view embree_version() { return RTC_VERSION_STRING; }
 
 }  // namespace dspm

@@ -12,6 +12,7 @@
 #include "dspm/app/run/render.h"
 #include "dspm/app/run/signals.h"
 #include "dspm/app/tasks/catalogue.h"
+#include "dspm/app/tasks/doctor.h"
 #include "dspm/app/tasks/farm.h"
 #include "dspm/app/tasks/look_at_images.h"
 #include "dspm/app/tasks/merge.h"
@@ -34,6 +35,12 @@
 namespace dspm {
 namespace {
 
+int check_installation(const Options& options) {
+  const Diagnosis diagnosis = examine_installation(options.threads);
+  print_data(diagnosis.text);
+  return diagnosis.can_render ? 0 : 1;
+}
+
 /// `others` are machines that MPI has started together with this one, or null. Only the first machine does tasks that
 /// do not render.
 int run(const Options& options, Link* others) {
@@ -44,6 +51,7 @@ int run(const Options& options, Link* others) {
   switch (options.task) {
     case Task::list: return print_data(list_plugins()), 0;
     case Task::describe: return print_data(describe_plugins(options.described)), 0;
+    case Task::doctor: return check_installation(options);
     case Task::new_plugin: return print_data(new_plugin(options.created[0], options.created[1], options.created[2])), 0;
     case Task::format: return print_data(formatted(options.scenes)), 0;
     case Task::upgrade: {

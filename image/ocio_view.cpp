@@ -93,7 +93,11 @@ void OcioView::apply(Image& image) const {
     for (int c = 0; c < 3; ++c) pixel[c] = pixel[c] > 0 ? srgb_to_linear(std::min(pixel[c], 1.f)) : 0.f;
 }
 
+bool knows_ocio() { return true; }
+
 #else
+
+bool knows_ocio() { return false; }
 
 struct OcioView::Processor {};
 

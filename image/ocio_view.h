@@ -8,6 +8,9 @@
 
 namespace dspm {
 
+/// Returns whether dspm was built with the library.
+bool knows_ocio();
+
 class OcioView {
  public:
   /// Makes a view of the configuration that the environment variable OCIO names. Empty names mean the configuration's

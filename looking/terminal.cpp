@@ -1,5 +1,6 @@
 #include "dspm/looking/terminal.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/ioctl.h>
@@ -9,6 +10,7 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 
 namespace dspm {
@@ -98,6 +100,17 @@ TerminalGraphics ask_for_graphics(int descriptor, std::string_view term) {
   if (!raw) return {};
   const Graphics kind = graphics_of_answer(answer_to(graphics_query(term), descriptor));
   return kind == Graphics::sixel ? sixels_of_answer(answer_to(kSixelsQuery, descriptor)) : TerminalGraphics{kind};
+}
+
+TerminalGraphics graphics_of_standard_error() {
+  if (isatty(STDERR_FILENO) == 0) return {};
+  const int terminal =
+      open("/dev/tty", O_RDWR | O_CLOEXEC | O_NOCTTY);  // answers come here, whatever standard input is
+  if (terminal < 0) return {};
+  const char* const kind = std::getenv("TERM");
+  const TerminalGraphics graphics = ask_for_graphics(terminal, kind == nullptr ? "" : kind);
+  close(terminal);
+  return graphics;
 }
 
 TerminalSize size_of_terminal(int descriptor) {

@@ -31,6 +31,8 @@ inline constexpr std::string_view kSixelsQuery = "\x1b[?2;4;0S\x1b[c";
 
 /// Asks the terminal on `descriptor`; none if it does not answer within a part of a second, or is no terminal.
 TerminalGraphics ask_for_graphics(int descriptor, std::string_view term);
+/// Asks the terminal that standard error goes to; none if it is no terminal.
+TerminalGraphics graphics_of_standard_error();
 
 struct TerminalSize {
   int columns = 80, rows = 24;

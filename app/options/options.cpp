@@ -8,8 +8,8 @@
 #include "dspm/app/options/image_options.h"
 #include "dspm/app/options/option_group.h"
 #include "dspm/app/options/option_values.h"
+#include "dspm/app/tasks/version_text.h"
 #include "dspm/base/params/errors.h"
-#include "dspm/base/system/version.h"
 
 namespace dspm {
 namespace {
@@ -115,7 +115,7 @@ Options parse_onto(Options options, const std::vector<std::string>& arguments, b
   CLI::App app(kDescription, "dspm");
   app.get_formatter()->column_width(26);
   app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);  // so scripts can append to a line
-  app.set_version_flag("--version", fmt::format("dspm {}", kVersion));
+  app.set_version_flag("--version", version_text, "print the version, and how it was built");
   for (const OptionGroup* group : kGroups) group->add(app, options);
   std::string page;
   add_serve(app, page);
@@ -127,7 +127,7 @@ Options parse_onto(Options options, const std::vector<std::string>& arguments, b
   } catch (const CLI::CallForHelp&) {
     throw Information{help_of(app)};
   } catch (const CLI::CallForVersion& version) {
-    throw Information{version.what() + std::string("\n")};
+    throw Information{version.what()};
   } catch (const CLI::ExtrasError&) {
     throw UsageError(unexpected(app));
   } catch (const CLI::ParseError& error) {

@@ -22,6 +22,7 @@ enum class Task {
   upgrade,
   list,
   describe,
+  doctor,
   list_variations,
   to_dsc,
   new_plugin,

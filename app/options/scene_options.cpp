@@ -45,8 +45,8 @@ void add(CLI::App& app, Options& o) {
 }
 
 void check(const Options& o) {
-  const bool needs_scene =
-      o.task != Task::list && o.task != Task::describe && o.task != Task::new_plugin && o.task != Task::merge;
+  const bool needs_scene = o.task != Task::list && o.task != Task::describe && o.task != Task::new_plugin &&
+                           o.task != Task::merge && o.task != Task::doctor;
   if (needs_scene && o.scenes.empty()) throw UsageError("no scene was given (dspm --help says how)");
   for (const std::string& define : o.defines)
     if (define.find('=') == define.npos || define.front() == '=')

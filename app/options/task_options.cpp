@@ -14,6 +14,7 @@ void add(CLI::App& app, Options& o) {
   task("--to-dsc", Task::to_dsc,
        "do not render, write a glTF file as a .dsc, with its meshes and pictures in a folder beside it");
   task("--list", Task::list, "print the names of all plugins");
+  task("--doctor", Task::doctor, "check the installation: what works, what is missing, and what would bring it");
   task("--list-variations", Task::list_variations, "print the names of the scene's variations");
   task("--relight", Task::relight,
        "do not render, mix images' light groups again: dspm --relight a.exr \"key 0.5 [1 .8 .6]\" -o b.exr");

@@ -20,17 +20,6 @@ namespace {
 
 constexpr int kShare = 20;  // of the time, as a divisor
 
-/// Asks the terminal of stderr: it answers to its own device, whatever standard input is.
-TerminalGraphics graphics_of_stderr() {
-  if (isatty(STDERR_FILENO) == 0) return {};
-  const int terminal = open("/dev/tty", O_RDWR | O_CLOEXEC | O_NOCTTY);
-  if (terminal < 0) return {};
-  const char* kind = std::getenv("TERM");
-  const TerminalGraphics graphics = ask_for_graphics(terminal, kind == nullptr ? "" : kind);
-  close(terminal);
-  return graphics;
-}
-
 }  // namespace
 
 struct Onlookers::Terminal {
@@ -59,7 +48,7 @@ Onlookers::Onlookers(const Job& job, const OnlookerSettings& settings, const Vie
     : job_(job), view_(view), messages_(messages), address_(settings.display_server) {
   if (!address_.empty()) server_ = std::make_unique<DisplayServer>(address_);
   if (!settings.preview) return;
-  const TerminalGraphics graphics = graphics_of_stderr();
+  const TerminalGraphics graphics = graphics_of_standard_error();
   if (graphics.kind == Graphics::none)
     messages.warn("--preview shows nothing: this terminal knows neither kitty's images nor sixels");
   else

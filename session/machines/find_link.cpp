@@ -34,21 +34,33 @@ std::filesystem::path module_file() {
   return library.parent_path() / DSPM_MPI_MODULE;
 }
 
+using MakeLink = Link*();
+
+/// Returns null if the module cannot be loaded, for the reason that dlerror() gives.
+MakeLink* load_module() {
+  // Open MPI loads modules of its own, which look for its library among those that everybody sees.
+  void* const module = dlopen(module_file().c_str(), RTLD_NOW | RTLD_GLOBAL);
+  return module != nullptr ? reinterpret_cast<MakeLink*>(dlsym(module, "dspm_link")) : nullptr;
+}
+
 }  // namespace
 
 std::unique_ptr<Link> find_link() {
   if (!was_started_by_mpi()) return nullptr;
-  const std::filesystem::path file = module_file();
-  // Open MPI loads modules of its own, which look for its library among those that everybody sees.
-  void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL);
-  void* const make = module != nullptr ? dlsym(module, "dspm_link") : nullptr;
+  MakeLink* const make = load_module();
   if (make == nullptr)
     throw UsageError(
         fmt::format("MPI has started this program, and its module for MPI cannot be loaded ({}); build dspm where "
                     "libopenmpi-dev is installed, or start it without mpirun",
                     dlerror()));
-  using MakeLink = Link*();
-  return std::unique_ptr<Link>(reinterpret_cast<MakeLink*>(make)());
+  return std::unique_ptr<Link>(make());
 }
+
+bool has_mpi_module() {
+  std::error_code none;
+  return std::filesystem::exists(module_file(), none);
+}
+
+std::string fault_of_mpi_module() { return load_module() != nullptr ? "" : dlerror(); }
 
 }  // namespace dspm

@@ -1,6 +1,12 @@
 #include "dspm/app/options/options.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include "dspm/accel/embree_version.h"
+#include "dspm/app/tasks/optional_parts.h"
+#include "dspm/app/tasks/version_text.h"
+#include "dspm/base/system/version.h"
 
 namespace dspm {
 namespace {
@@ -154,7 +160,24 @@ TEST(Options, HelpAndVersionAreInformation) {
     EXPECT_NE(information.text.find("--time-limit TIME"), std::string::npos);
     EXPECT_NE(information.text.find("--stats[=FILE]"), std::string::npos);
   }
-  EXPECT_THROW(parse_options({"--version"}), Information);
+  try {
+    parse_options({"--version"});
+    FAIL();
+  } catch (const Information& information) {
+    EXPECT_EQ(information.text, version_text());
+  }
+}
+
+TEST(Options, TheVersionNamesTheBuildAndEveryPartOfItOnce) {
+  const std::string text = version_text();
+  EXPECT_TRUE(text.starts_with(fmt::format("dspm {}\nbuilt by: ", kVersion))) << text;
+  EXPECT_NE(text.find(fmt::format("\nEmbree: {}\n", embree_version())), text.npos) << text;
+  for (const OptionalPart& part : built_parts()) {
+    const std::size_t at = text.find(part.name);
+    ASSERT_NE(at, text.npos) << part.name;
+    EXPECT_EQ(text.find(part.name, at + 1), text.npos) << part.name;
+    EXPECT_EQ(at < text.find("without: "), part.fault().empty()) << part.name;
+  }
 }
 
 }  // namespace

@@ -23,5 +23,5 @@ for file in bin/dspm lib/libdspm.so lib/cmake/dspm/dspmConfig.cmake include/dspm
   include/dspm/testing/agreement.h share/doc/dspm/copyright; do
   [[ -e $work/root/usr/$file ]] || fail "the package lacks usr/$file"
 done
-version=$("$work/root/usr/bin/dspm" --version)
+version=$("$work/root/usr/bin/dspm" --version | head -n 1)
 [[ $version == "dspm $(dpkg-deb --field "$deb" Version)" ]] || fail "the program in the package says $version"
