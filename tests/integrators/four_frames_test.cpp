@@ -20,7 +20,7 @@ class Twins {
   }
   void see(int lane, const Rgb& radiance) { single_[lane].see(radiance, 1000), four_.see(lane, radiance, 1000); }
   void absorb(FrameSet frames, const std::array<PassSums, 4>& own, const PassSums& shared, const Rgb& throughput) {
-    FourSums sums = FourSums::none();
+    FourSums sums = FourSums();
     for (int lane = 0; lane < 4; ++lane) {
       const auto at = static_cast<std::size_t>(lane);
       for (std::uint32_t i = 0; i < own[at].M; ++i)
