@@ -39,13 +39,13 @@ set(toolkit_headers
   integrators/guiding/emission_of_file.h integrators/guiding/file_sample.h integrators/guiding/learn_direct.h
   integrators/guiding/learn_emission.h integrators/guiding/pilot_paths.h
   integrators/max_depth.h integrators/possible_state.h integrators/trace_tiles.h
-  integrators/methods/estimator.h integrators/methods/photon_batches.h integrators/methods/pixel_statistics.h
-  integrators/methods/progressive.h integrators/methods/progressive_settings.h
+  integrators/methods/estimator.h integrators/methods/photon_batches.h integrators/methods/pixel_sink.h
+  integrators/methods/pixel_statistics.h integrators/methods/progressive.h integrators/methods/progressive_settings.h
   integrators/photons/curve_photons.h integrators/photons/direct_balance.h integrators/photons/emission_guide.h
-  integrators/photons/final_gather.h integrators/photons/gather.h integrators/photons/hit_point.h
-  integrators/photons/hit_point_tile.h integrators/photons/memory_needs.h integrators/photons/photon.h
-  integrators/photons/photon_grid.h integrators/photons/photon_map.h integrators/photons/radiance_estimate.h
-  integrators/photons/trace_hit_points.h integrators/photons/trace_photons.h
+  integrators/photons/final_gather.h integrators/photons/gather.h integrators/photons/hidden_light.h
+  integrators/photons/hit_point.h integrators/photons/hit_point_tile.h integrators/photons/memory_needs.h
+  integrators/photons/photon.h integrators/photons/photon_grid.h integrators/photons/photon_map.h
+  integrators/photons/radiance_estimate.h integrators/photons/trace_hit_points.h integrators/photons/trace_photons.h
   integrators/transport/balance.h integrators/transport/body.h integrators/transport/branching_path.h
   integrators/transport/camera_path.h integrators/transport/direct_light.h integrators/transport/joint_path.h
   integrators/transport/light_value.h integrators/transport/nesting.h integrators/transport/path_step.h

@@ -3,80 +3,71 @@
 // depends only on the iteration).
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
-#include "dspm/base/system/state_stream.h"
+#include "dspm/integrators/methods/pixel_sink.h"
 #include "dspm/integrators/methods/pixel_statistics.h"
-#include "dspm/integrators/photons/gather.h"
 
 namespace dspm {
 
-class PixelEstimator {
+struct EstimatorSettings {
+  int pixels = 0, frames = 1;
+  std::int64_t photons = 1;  // paths emitted per iteration in each frame
+  float alpha = 0.7f;
+  bool batched = false;                     // an iteration's photons come in several batches
+  const IterationRadius* radius = nullptr;  // kz11's, and that of hidden light
+  bool caught = false;                      // of the light on shadow catchers, which is no part of the image
+
+  std::size_t pixel_frames() const { return static_cast<std::size_t>(pixels) * static_cast<std::size_t>(frames); }
+};
+
+class PixelEstimator : public PixelSink {
  public:
-  virtual ~PixelEstimator() = default;
-  /// The square of the radius that gather_at would search: the largest of all frames.
+  explicit PixelEstimator(const EstimatorSettings& of) : of_(of) {}
+
+  void see(std::span<const HitPointTile> tiles) final;
+  /// A batch is values only: whoever gathers it elsewhere, such as on another device, overrides this.
+  void gather(const PhotonBatch& batch, BatchCounts& counts) override;
+  std::vector<PixelOutput> outputs(int iterations) const final;
+
+  /// The square of the radius in which the next batch's photons are sought: the largest of all frames.
   virtual float search_radius2(const HitPoint& hit) const = 0;
   /// The square of the radius in one of the hit point's frames.
   float search_radius2_in(Frame frame, const HitPoint& hit) const {
     const std::optional<PixelStatistics> own = statistics(hit.pixel, frame);
     return !own ? search_radius2(hit) : own->R2 > 0 ? own->R2 : hit.radius * hit.radius;
   }
-  /// Gathers photons for a hit point and adds them to the pixel's sums, for each batch of an iteration's photons. Calls
-  /// for different pixels may run concurrently; a pixel's hit points of one iteration hold disjoint frames.
-  virtual void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) = 0;
-  /// Adds light that needs no photons. Calls for different pixels may run concurrently.
-  virtual void see(const SeenLight& light) = 0;
-  /// Called once per iteration, before all gathers, with rising numbers; other machines may do those in between.
-  virtual void begin_iteration(int /*iteration*/) {}
-  /// Called once per iteration, after all gathers.
-  virtual void end_iteration() = 0;
-  /// Saves or loads all state that outlives an iteration; see Integrator::persist.
-  virtual void persist(StateStream& state) = 0;
-  /// Returns whether an iteration is the same whatever the others found; if not, its sums cannot be merged.
-  virtual bool adds_up() const { return true; }
-  /// Radiance after the completed iterations.
-  virtual Rgb radiance(int pixel, Frame frame) const = 0;
   /// Returns the statistics of a pixel with a radius of its own; nullopt if only sums are kept.
   virtual std::optional<PixelStatistics> statistics(int /*pixel*/, Frame) const { return std::nullopt; }
-  /// Drops the state that only end_iteration() needs. Called between iterations, or after one that threw.
-  virtual void forget_iteration() {}
+  /// Returns whether an iteration is the same whatever the others found; if not, its sums cannot be merged.
+  virtual bool adds_up() const { return true; }
+
+ protected:
+  /// Gathers photons for a hit point and adds them to the pixel's sums. Calls for different pixels may run
+  /// concurrently; a pixel's hit points of one iteration hold disjoint frames.
+  virtual void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) = 0;
+  /// Adds light that needs no photons. Calls for different pixels may run concurrently.
+  virtual void add(const SeenLight& light) = 0;
+  /// Radiance after the completed iterations.
+  virtual Rgb radiance(int pixel, Frame frame) const = 0;
+  /// Throws std::runtime_error unless radii and numbers of photons are possible; what they give is checked as an image.
+  void expect_possible_statistics() const;
+
+  const EstimatorSettings of_;
 };
 
-/// kz11's radius, the same for all pixels and frames except for its initial value: a function of the iteration.
-class IterationRadius {
- public:
-  float of(float initial) const { return initial * static_cast<float>(scale_); }
-  float squared(const HitPoint& hit) const {
-    const float radius = of(hit.radius);
-    return radius * radius;
-  }
-  /// Goes to the radius of an iteration, counted from 0. After the i-th, counted from 1: s'^2 = s^2 (i + alpha) / (i +
-  /// 1). [KZ11]
-  void go_to(int iteration, float alpha) {
-    if (iteration < iteration_) *this = {};
-    while (iteration_ < iteration) {
-      const auto i = static_cast<double>(++iteration_);
-      scale_ *= std::sqrt((i + static_cast<double>(alpha)) / (i + 1));
-    }
-  }
+/// The estimator of the image, and that of the light on shadow catchers, which is null if the scene has none.
+struct Estimators {
+  PixelEstimator* image = nullptr;
+  PixelEstimator* caught = nullptr;
 
- private:
-  int iteration_ = 0;
-  double scale_ = 1;
-};
-
-struct EstimatorSettings {
-  int pixels = 0, frames = 1;
-  std::int64_t photons = 1;  // paths emitted per iteration in each frame
-  float alpha = 0.7f;
-  bool batched = false;  // an iteration's photons come in several batches
-
-  std::size_t pixel_frames() const { return static_cast<std::size_t>(pixels) * static_cast<std::size_t>(frames); }
+  const PixelEstimator& of(const HitPoint& hit) const { return hit.caught ? *caught : *image; }
 };
 
 struct EstimatorKind {

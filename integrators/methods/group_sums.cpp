@@ -8,7 +8,16 @@
 
 namespace dspm {
 
-void GroupSums::see(const std::vector<HitPointTile>& tiles) {
+GroupSums::GroupSums(const EstimatorSettings& of, const PixelEstimator& whole, const Scene& scene,
+                     const std::vector<std::string>& asked)
+    : groups_(scene, asked),
+      infos_(light_group_outputs(scene)),
+      of_(of),
+      whole_(whole),
+      sums_(std::int64_t{groups_.count()} * of.pixels, of.frames) {}
+
+void GroupSums::see(std::span<const HitPointTile> tiles) {
+  if (sums_.empty()) return;
   parallel_for(static_cast<std::int64_t>(tiles.size()), 1, [&](std::int64_t t) {
     for (const SeenLight& light : tiles[static_cast<std::size_t>(t)].seen) {
       const int group = groups_.of_light(light.light);
@@ -19,24 +28,23 @@ void GroupSums::see(const std::vector<HitPointTile>& tiles) {
   });
 }
 
-void GroupSums::gather(const std::vector<HitPointTile>& tiles, const PhotonMap& map, const PixelEstimator& whole,
-                       const HiddenPhotons& hidden, const IterationRadius& hidden_radius) {
-  parallel_for(static_cast<std::int64_t>(tiles.size()), 1, [&](std::int64_t t) {
-    const HitPointTile& tile = tiles[static_cast<std::size_t>(t)];
+void GroupSums::gather(const PhotonBatch& batch, BatchCounts& counts) {
+  if (sums_.empty()) return;
+  gather_tiles(batch.tiles, counts.photons, [&](const HitPointTile& tile, GatherCounts&) {
     GatherCounts not_counted;
     for (const HitPoint& hit : tile.glossy) {
-      const float radius2 = hidden_radius.squared(hit);
       if (hit.caught) continue;
+      const float radius2 = of_.radius->squared(hit.radius);
       gather_at(
-          hit, tile, hidden.on_surfaces, radius2, [radius2](Frame) { return radius2; },
-          [&](auto&& fn) { gather_hidden_by_group(hit, tile, hidden, radius2, not_counted, fn); });
+          hit, tile, batch.hidden.on_surfaces, radius2, [radius2](Frame) { return radius2; },
+          [&](auto&& fn) { gather_hidden_by_group(hit, tile, batch.hidden, radius2, not_counted, fn); });
     }
     for (const HitPoint& hit : tile.hit_points) {
-      const float widest2 = whole.search_radius2(hit);
       if (hit.caught) continue;
+      const float widest2 = whole_.search_radius2(hit);
       gather_at(
-          hit, tile, map, widest2, [&](Frame f) { return whole.search_radius2_in(f, hit); },
-          [&](auto&& fn) { gather_by_group(hit, tile.scattering_of(hit), map, widest2, not_counted, fn); });
+          hit, tile, batch.photons, widest2, [&](Frame f) { return whole_.search_radius2_in(f, hit); },
+          [&](auto&& fn) { gather_by_group(hit, tile.scattering_of(hit), batch.photons, widest2, not_counted, fn); });
     }
   });
 }
@@ -81,9 +89,15 @@ void GroupSums::gather_at(const HitPoint& hit, const HitPointTile& tile, const P
   }
 }
 
-Rgb GroupSums::radiance(int group, int pixel, Frame frame, int iterations) const {
-  if (iterations == 0) return {};
-  return sums_.at(row(group, pixel), frame) * static_cast<float>(1 / static_cast<double>(iterations * of_.photons));
+std::vector<PixelOutput> GroupSums::outputs(int iterations) const {
+  std::vector<PixelOutput> outputs;
+  const double paths = static_cast<double>(iterations * of_.photons);
+  for (const OutputInfo& info : infos_)
+    outputs.push_back({info, [this, paths, group = groups_.of_output(info.name)](int pixel, Frame frame) {
+                         if (paths == 0 || group == LightGroups::kNone) return Rgb();
+                         return sums_.at(row(group, pixel), frame) * static_cast<float>(1 / paths);
+                       }});
+  return outputs;
 }
 
 }  // namespace dspm

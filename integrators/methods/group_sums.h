@@ -5,39 +5,32 @@
 #pragma once
 
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/integrators/light_groups.h"
 #include "dspm/integrators/methods/estimator.h"
-#include "dspm/integrators/photons/hidden_light.h"
-#include "dspm/integrators/photons/photon_map.h"
 #include "dspm/integrators/pixel_frames.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {
 
-class GroupSums {
+class GroupSums final : public PixelSink {
  public:
-  GroupSums(LightGroups groups, const EstimatorSettings& of)
-      : groups_(std::move(groups)), of_(of), sums_(std::int64_t{groups_.count()} * of.pixels, of.frames) {}
-  static std::size_t bytes(const LightGroups& groups, const EstimatorSettings& of) {
+  /// Sums the groups whose outputs are among `asked`. `whole` is the image's estimator.
+  GroupSums(const EstimatorSettings& of, const PixelEstimator& whole, const Scene& scene,
+            const std::vector<std::string>& asked);
+  static std::size_t bytes(const EstimatorSettings& of, const LightGroups& groups) {
     return PixelFrames<Rgb>::bytes(std::int64_t{groups.count()} * of.pixels, of.frames);
   }
 
-  /// Adds light that needs no photons.
-  void see(const std::vector<HitPointTile>& tiles);
-  /// Adds a batch of an iteration's photons, before `whole`, the image's estimator, gathers them. The image keeps its
-  /// bits, so its photons are gathered twice. The maps tell the groups apart. `hidden_radius` is the radius for hidden
-  /// light.
-  void gather(const std::vector<HitPointTile>& tiles, const PhotonMap& map, const PixelEstimator& whole,
-              const HiddenPhotons& hidden, const IterationRadius& hidden_radius);
-  void persist(StateStream& state) { state.sum(sums_.values()); }
-
-  const LightGroups& groups() const { return groups_; }
-  Rgb radiance(int group, int pixel, Frame frame, int iterations) const;
+  void see(std::span<const HitPointTile> tiles) override;
+  /// Asks the image's estimator for its radii, so it is called before its own. The image keeps its bits, so its photons
+  /// are gathered twice. The maps tell the groups apart.
+  void gather(const PhotonBatch& batch, BatchCounts& counts) override;
+  void persist(StateStream& state) override { state.sum(sums_.values()); }
+  std::vector<PixelOutput> outputs(int iterations) const override;
 
  private:
   template <class Radius2, class Gather>
@@ -46,7 +39,9 @@ class GroupSums {
   std::int64_t row(int group, int pixel) const { return std::int64_t{group} * of_.pixels + pixel; }
 
   LightGroups groups_;
+  std::vector<OutputInfo> infos_;  // of all groups of the scene
   EstimatorSettings of_;
+  const PixelEstimator& whole_;
   PixelFrames<Rgb> sums_;  // group by group: radiance times photon paths
 };
 

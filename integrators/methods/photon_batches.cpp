@@ -1,9 +1,8 @@
 #include "dspm/integrators/methods/photon_batches.h"
 
-#include "dspm/integrators/caught_light.h"
-#include "dspm/integrators/methods/group_sums.h"
+#include "dspm/integrators/light_groups.h"
+#include "dspm/integrators/methods/pixel_sinks.h"
 #include "dspm/integrators/photons/emission_guide.h"
-#include "dspm/integrators/photons/found_photons.h"
 #include "dspm/integrators/photons/memory_needs.h"
 #include "dspm/world/scene/scene.h"
 
@@ -15,21 +14,20 @@ constexpr std::int64_t kMostBatches = 16, kLeastPaths = 4096;
 
 /// Returns the bytes of pixels. With several batches, iterations are long: the plan includes a copy of the state
 /// (session/revertible.h).
-std::size_t pixel_bytes(EstimatorSettings of, const EstimatorKind& estimator, const RenderSettings& render,
-                        const LightGroups& groups, std::size_t estimators) {
-  const std::size_t found = FoundPhotons::bytes(of.pixels, of.frames, render.outputs);
-  const auto held = [&] { return estimators * estimator.bytes(of) + GroupSums::bytes(groups, of) + found; };
-  const std::size_t working = held();
+std::size_t pixel_bytes(EstimatorSettings of, const EstimatorKind& estimator, const Scene& scene,
+                        const RenderSettings& render) {
+  const std::size_t working = PixelSinks::bytes(of, estimator, scene, render);
   if (!of.batched) return working;
   of.batched = false;
-  return working + held();
+  return working + PixelSinks::bytes(of, estimator, scene, render);
 }
 
 }  // namespace
 
 EstimatorSettings estimator_settings(const ProgressiveSettings& settings, const Scene& scene,
-                                     const RenderSettings& render, const PhotonBatches& batches) {
-  return {render.crop.count(), scene.frame_count(), settings.photons, settings.alpha, batches.are_many()};
+                                     const RenderSettings& render, const PhotonBatches& batches,
+                                     const IterationRadius* radius) {
+  return {render.crop.count(), scene.frame_count(), settings.photons, settings.alpha, batches.are_many(), radius};
 }
 
 PhotonBatches batches_within_memory(const ProgressiveSettings& settings, const Scene& scene,
@@ -37,9 +35,7 @@ PhotonBatches batches_within_memory(const ProgressiveSettings& settings, const S
                                     std::size_t learning) {
   if (render.memory == 0) return {settings.photons, settings.photons};
   const std::size_t guides = settings.photon.guides != nullptr ? settings.photon.guides->bytes() : 0;
-  const LightGroups groups(scene, render.outputs);
-  const std::size_t estimators = has_catchers(scene) ? 2 : 1;
-  const double a_path = bytes_a_photon_path(scene, settings.photon, groups);
+  const double a_path = bytes_a_photon_path(scene, settings.photon, LightGroups(scene, render.outputs));
   MemoryNeeds needs, least;
   needs.learning = learning;
   needs.hit_points = hit_point_bytes(scene, render, settings.hit_point);
@@ -47,9 +43,7 @@ PhotonBatches batches_within_memory(const ProgressiveSettings& settings, const S
     const PhotonBatches batches{settings.photons, (settings.photons + count - 1) / count};
     if (count > 1 && batches.size < kLeastPaths) break;
     needs.photons = static_cast<std::size_t>(a_path * static_cast<double>(batches.size));
-    needs.pixels =
-        pixel_bytes(estimator_settings(settings, scene, render, batches), estimator, render, groups, estimators) +
-        guides;
+    needs.pixels = pixel_bytes(estimator_settings(settings, scene, render, batches), estimator, scene, render) + guides;
     if (needs.total() <= render.memory) return batches;
     if (count == 1 || needs.total() < least.total()) least = needs;
   }

@@ -16,7 +16,8 @@ struct PhotonBatches {
 };
 
 EstimatorSettings estimator_settings(const ProgressiveSettings& settings, const Scene& scene,
-                                     const RenderSettings& render, const PhotonBatches& batches);
+                                     const RenderSettings& render, const PhotonBatches& batches,
+                                     const IterationRadius* radius = nullptr);
 
 /// Traces all photons at once if there is no bound. `learning` is the number of bytes that were needed before the first
 /// iteration. Throws NotEnoughMemory.

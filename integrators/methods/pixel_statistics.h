@@ -1,6 +1,8 @@
-// A pixel's statistics of all photons so far, in one frame, and how an iteration updates them.
+// How radii shrink: a pixel's statistics of all photons so far, in one frame, and how an iteration updates them; and
+// the radius that depends on the iteration alone.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "dspm/base/colour/rgb.h"
@@ -52,6 +54,29 @@ struct PixelStatistics {
 
  private:
   float kernel() const { return kernel_size(R2 == 0 ? 1 : R2); }
+};
+
+/// kz11's radius, the same for all pixels and frames except for its initial value: a function of the iteration.
+class IterationRadius {
+ public:
+  float of(float initial) const { return initial * static_cast<float>(scale_); }
+  float squared(float initial) const {
+    const float radius = of(initial);
+    return radius * radius;
+  }
+  /// Goes to the radius of an iteration, counted from 0. After the i-th, counted from 1: s'^2 = s^2 (i + alpha) / (i +
+  /// 1). [KZ11]
+  void go_to(int iteration, float alpha) {
+    if (iteration < iteration_) *this = {};
+    while (iteration_ < iteration) {
+      const auto i = static_cast<double>(++iteration_);
+      scale_ *= std::sqrt((i + static_cast<double>(alpha)) / (i + 1));
+    }
+  }
+
+ private:
+  int iteration_ = 0;
+  double scale_ = 1;
 };
 
 }  // namespace dspm

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dspm/base/params/params.h"
-#include "dspm/integrators/methods/estimator.h"
+#include "dspm/integrators/integrator.h"
 #include "dspm/integrators/photons/trace_hit_points.h"
 #include "dspm/integrators/photons/trace_photons.h"
 

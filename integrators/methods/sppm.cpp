@@ -25,8 +25,8 @@ PassSums gather_at_one(const HitPoint& hit, const Scattering* scattering, const 
                        GatherCounts& counts) {
   PassSums sums;
   RgbLanes phi;
-  gather(hit, scattering, map, radius2, counts,
-         [&](const Strand*, FrameSet, RgbLanes flux, float) { ++sums.M, phi += flux; });
+  gather_photons(hit, scattering, map, radius2, counts,
+                 [&](const Strand*, FrameSet, RgbLanes flux, float) { ++sums.M, phi += flux; });
   sums.phi = phi.rgb() * hit.throughput;
   return sums;
 }
@@ -34,7 +34,7 @@ PassSums gather_at_one(const HitPoint& hit, const Scattering* scattering, const 
 class Hj09 final : public PixelEstimator {
  public:
   explicit Hj09(const EstimatorSettings& of)
-      : of_(of), pixels_(of.pixel_frames()), passes_(of.batched ? of.pixel_frames() : 0) {
+      : PixelEstimator(of), pixels_(of.pixel_frames()), passes_(of.batched ? of.pixel_frames() : 0) {
     assert(of.frames == 1);
   }
   static std::size_t bytes(const EstimatorSettings& of) {
@@ -56,7 +56,7 @@ class Hj09 final : public PixelEstimator {
       pixels_[at].absorb(sums, of_.alpha);
   }
 
-  void see(const SeenLight& light) override {
+  void add(const SeenLight& light) override {
     pixels_[static_cast<std::size_t>(light.pixel)].see(light.radiance, static_cast<float>(of_.photons));
   }
 
@@ -69,12 +69,13 @@ class Hj09 final : public PixelEstimator {
   }
 
   bool adds_up() const override { return false; }
-  void forget_iteration() override { std::fill(passes_.begin(), passes_.end(), PassSums()); }
 
   void persist(StateStream& state) override {
+    std::fill(passes_.begin(), passes_.end(), PassSums());
     state.value(iterations_);
     expect_iterations(iterations_);
     state.value(pixels_);
+    expect_possible_statistics();
   }
 
   Rgb radiance(int pixel, Frame) const override {
@@ -85,7 +86,6 @@ class Hj09 final : public PixelEstimator {
   }
 
  private:
-  EstimatorSettings of_;
   int iterations_ = 0;
   std::vector<PixelStatistics> pixels_;
   std::vector<PassSums> passes_;  // of the iteration so far, if its photons come in batches
@@ -93,23 +93,22 @@ class Hj09 final : public PixelEstimator {
 
 class Kz11 final : public PixelEstimator {
  public:
-  explicit Kz11(const EstimatorSettings& of) : of_(of), sums_(of.pixel_frames()) { assert(of.frames == 1); }
+  explicit Kz11(const EstimatorSettings& of) : PixelEstimator(of), sums_(of.pixel_frames()) { assert(of.frames == 1); }
   static std::size_t bytes(const EstimatorSettings& of) { return of.pixel_frames() * sizeof(Rgb); }
 
-  float search_radius2(const HitPoint& hit) const override { return radius_.squared(hit); }
+  float search_radius2(const HitPoint& hit) const override { return of_.radius->squared(hit.radius); }
 
   void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) override {
-    const float radius2 = radius_.squared(hit);
+    const float radius2 = search_radius2(hit);
     sums_[static_cast<std::size_t>(hit.pixel)] +=
         gather_at_one(hit, tile.scattering_of(hit), map, radius2, counts).phi / kernel_size(radius2);
   }
 
   // Every iteration emits the same number of photons, so seen light is weighted by it and needs no separate sums.
-  void see(const SeenLight& light) override {
+  void add(const SeenLight& light) override {
     sums_[static_cast<std::size_t>(light.pixel)] += light.radiance * static_cast<float>(of_.photons);
   }
 
-  void begin_iteration(int iteration) override { radius_.go_to(iteration, of_.alpha); }
   void end_iteration() override { ++iterations_; }
 
   void persist(StateStream& state) override {
@@ -124,8 +123,6 @@ class Kz11 final : public PixelEstimator {
   }
 
  private:
-  EstimatorSettings of_;
-  IterationRadius radius_;
   int iterations_ = 0;     // done
   std::vector<Rgb> sums_;  // radiance times photons
 };

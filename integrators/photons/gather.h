@@ -106,8 +106,8 @@ void gather_by_group(const HitPoint& hit, const Scattering* scattering, const Ph
 
 /// Calls fn without the group; otherwise the same as gather_by_group().
 template <class Fn>
-void gather(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map, float radius2,
-            GatherCounts& counts, Fn&& fn) {
+void gather_photons(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map, float radius2,
+                    GatherCounts& counts, Fn&& fn) {
   gather_by_group(hit, scattering, map, radius2, counts,
                   [&fn](const Strand* strands, FrameSet frames, RgbLanes flux, float distance2, auto) {
                     fn(strands, frames, flux, distance2);
@@ -116,7 +116,7 @@ void gather(const HitPoint& hit, const Scattering* scattering, const PhotonMap& 
 
 /// Calls fn(tile, its counts) for each of a batch of tiles, in parallel.
 template <class Fn>
-void gather(std::span<const HitPointTile> tiles, std::span<GatherCounts> counts, Fn&& fn) {
+void gather_tiles(std::span<const HitPointTile> tiles, std::span<GatherCounts> counts, Fn&& fn) {
   parallel_for(static_cast<std::int64_t>(tiles.size()), 1,
                [&](std::int64_t t) { fn(tiles[static_cast<std::size_t>(t)], counts[static_cast<std::size_t>(t)]); });
 }
@@ -127,7 +127,7 @@ class GatheredFlux {
  public:
   GatheredFlux(const HitPoint& hit, const PhotonMap& map) : frames_(hit.frames), map_(map) {}
 
-  /// Adds what gather() reports of a photon; `frames` may be fewer.
+  /// Adds what gather_photons() reports of a photon; `frames` may be fewer.
   void add(const Strand* strands, FrameSet frames, RgbLanes flux) {
     if (strands == nullptr && frames == frames_)
       shared_ += flux;

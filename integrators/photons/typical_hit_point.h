@@ -1,37 +1,59 @@
-// Measures what photons find at a typical place, from the counts of the gathers that are made anyway.
+// Measures what photons find at a typical place, from the radii and counts of the gathers that are made anyway.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "dspm/base/math/median.h"
+#include "dspm/base/system/parallel.h"
 #include "dspm/base/system/state_stream.h"
 #include "dspm/integrators/photons/gather.h"
 #include "dspm/integrators/statistics.h"
 
 namespace dspm {
 
-/// Counts what gathers find, by tile.
-class FoundByTile {
+/// Sums by tile; the tiles are those of the iteration.
+class TypicalHitPoints {
  public:
-  explicit FoundByTile(std::size_t tiles) : found_(tiles), gathers_(tiles) {}
+  explicit TypicalHitPoints(std::size_t tiles) : found_(tiles), gathers_(tiles), shrunk_(tiles) {}
 
-  /// Call this after a gather at all hit points.
-  void add(const std::vector<GatherCounts>& tiles) {
-    ++rounds_;
+  /// Returns the mean of the radii in which photons will be sought, which suits the cells of their map; 0 if there are
+  /// no hit points. radius2(hit) returns their squares.
+  template <class Radius2>
+  double mean_radius(std::span<const HitPointTile> tiles, Radius2&& radius2) {
+    std::vector<double> sums(tiles.size());
+    parallel_for(static_cast<std::int64_t>(tiles.size()), 1, [&](std::int64_t tile) {
+      const auto t = static_cast<std::size_t>(tile);
+      double initial = 0;
+      for (const HitPoint& hit : tiles[t].hit_points) {
+        sums[t] += std::sqrt(static_cast<double>(radius2(hit)));
+        initial += static_cast<double>(hit.radius);
+      }
+      shrunk_[t] = initial > 0 ? sums[t] / initial : 1;
+    });
+    double sum = 0, count = 0;
     for (std::size_t t = 0; t < tiles.size(); ++t)
-      found_[t] += tiles[t].found.separate, gathers_[t] += tiles[t].gathers.separate;
+      sum += sums[t], count += static_cast<double>(tiles[t].hit_points.size());
+    return count > 0 ? sum / count : 0;
   }
 
-  /// Takes the tiles of the last iteration; `shrunk` is their radius over their initial radius.
-  TypicalHitPoint typical(const std::vector<HitPointTile>& tiles, const std::vector<double>& shrunk) const {
+  /// Call this after a gather at all hit points.
+  void add(std::span<const GatherCounts> counts) {
+    ++rounds_;
+    for (std::size_t t = 0; t < counts.size(); ++t)
+      found_[t] += counts[t].found.separate, gathers_[t] += counts[t].gathers.separate;
+  }
+
+  TypicalHitPoint typical(std::span<const HitPointTile> tiles) const {
     std::vector<double> photons, radii;
     for (std::size_t t = 0; t < found_.size(); ++t) {
       if (found_[t] == 0) continue;
       photons.push_back(static_cast<double>(found_[t]) / static_cast<double>(gathers_[t]) * rounds_);
       if (!tiles[t].hit_points.empty())
-        radii.push_back(shrunk[t] * tiles[t].radii_in_pixels / static_cast<double>(tiles[t].hit_points.size()));
+        radii.push_back(shrunk_[t] * tiles[t].radii_in_pixels / static_cast<double>(tiles[t].hit_points.size()));
     }
     return {median(photons), median(radii)};
   }
@@ -45,6 +67,7 @@ class FoundByTile {
  private:
   int rounds_ = 0;
   std::vector<std::uint64_t> found_, gathers_;
+  std::vector<double> shrunk_;  // radius over initial radius
 };
 
 }  // namespace dspm

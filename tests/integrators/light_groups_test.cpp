@@ -210,6 +210,25 @@ TEST_P(LightGroupsInBatches, AreTheSame) {
 
 INSTANTIATE_TEST_SUITE_P(Estimators, LightGroupsInBatches, testing::Values("kz11", "hj09"));
 
+class PixelSinks : public testing::TestWithParam<const char*> {};
+
+// The image, groups and counts are sinks of one loop: each is the same whoever else listens.
+TEST_P(PixelSinks, ChangeNothingForOneAnother) {
+  const std::string text = scene(
+      fmt::format(R"("dsppm" "integer photons" 3000 "string emission" "power" "string estimator" "{}")", GetParam()));
+  TestScene all(text, asking_for({"lights", "radius", "photons"}));
+  const auto scene = all.scene(all.all_frames());
+  const auto together = rendered(all, *scene);
+  for (const std::string output : {"radiance", "light_key", "radius", "photons"}) {
+    TestScene one(text, output == kRadiance ? Choices() : asking_for({output}));
+    const auto alone = rendered(one, *scene);
+    for (Frame f = 0; f < scene->frame_count(); ++f)
+      EXPECT_EQ(together->estimate(f, output), alone->estimate(f, output)) << output << ", frame " << f;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Estimators, PixelSinks, testing::Values("kz11", "hj09"));
+
 std::string error_of(const std::string& text, const std::string& output) {
   try {
     TestScene test(text, asking_for({output}));

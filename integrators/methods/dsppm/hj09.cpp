@@ -38,7 +38,7 @@ struct Extremes {
 class Hj09 final : public PixelEstimator {
  public:
   explicit Hj09(const EstimatorSettings& of)
-      : of_(of), statistics_(of.pixels, groups(of)), passes_(of.batched ? of.pixels : 0, groups(of)) {}
+      : PixelEstimator(of), statistics_(of.pixels, groups(of)), passes_(of.batched ? of.pixels : 0, groups(of)) {}
   static std::size_t bytes(const EstimatorSettings& of) {
     return PixelFrames<FourFrames>::bytes(of.pixels, groups(of)) +
            (of.batched ? PixelFrames<FourSums>::bytes(of.pixels, groups(of)) : 0);
@@ -78,16 +78,16 @@ class Hj09 final : public PixelEstimator {
         });
       });
     };
-    gather(hit, tile.scattering_of(hit), map, radii.largest(), counts,
-           [&](const Strand* strands, FrameSet frames, RgbLanes flux, float distance2) {
-             const bool for_all = frames == hit.frames && distance2 <= smallest2;
-             if (for_all && strands == nullptr)
-               ++shared.M, shared_phi += flux;
-             else if (PassSums* sum = for_all && map.is_of_light(strands) ? lists.of(strands) : nullptr)
-               *sum += {1, flux.rgb()};
-             else
-               add_strands(strands, frames, flux.rgb(), 1, distance2);
-           });
+    gather_photons(hit, tile.scattering_of(hit), map, radii.largest(), counts,
+                   [&](const Strand* strands, FrameSet frames, RgbLanes flux, float distance2) {
+                     const bool for_all = frames == hit.frames && distance2 <= smallest2;
+                     if (for_all && strands == nullptr)
+                       ++shared.M, shared_phi += flux;
+                     else if (PassSums* sum = for_all && map.is_of_light(strands) ? lists.of(strands) : nullptr)
+                       *sum += {1, flux.rgb()};
+                     else
+                       add_strands(strands, frames, flux.rgb(), 1, distance2);
+                   });
     shared.phi = shared_phi.rgb();
     lists.for_each([&](const Strand* list, const PassSums& sum) {
       add_strands(list, hit.frames, sum.phi, static_cast<float>(sum.M), 0);
@@ -104,7 +104,7 @@ class Hj09 final : public PixelEstimator {
     });
   }
 
-  void see(const SeenLight& light) override {
+  void add(const SeenLight& light) override {
     light.frames.for_each([&](Frame f) {
       statistics_.at(light.pixel, f / 4).see(f % 4, light.radiance, static_cast<float>(of_.photons));
     });
@@ -120,12 +120,13 @@ class Hj09 final : public PixelEstimator {
   }
 
   bool adds_up() const override { return false; }
-  void forget_iteration() override { std::fill(passes_.values().begin(), passes_.values().end(), FourSums()); }
 
   void persist(StateStream& state) override {
+    std::fill(passes_.values().begin(), passes_.values().end(), FourSums());
     state.value(iterations_);
     expect_iterations(iterations_);
     state.value(statistics_.values());
+    expect_possible_statistics();
   }
 
   Rgb radiance(int pixel, Frame frame) const override {
@@ -140,7 +141,6 @@ class Hj09 final : public PixelEstimator {
  private:
   static int groups(const EstimatorSettings& of) { return (of.frames + 3) / 4; }
 
-  EstimatorSettings of_;
   int iterations_ = 0;
   PixelFrames<FourFrames> statistics_;  // by groups of four frames
   PixelFrames<FourSums> passes_;        // of the iteration so far; only if photons come in batches

@@ -16,19 +16,20 @@ namespace {
 class Kz11 final : public PixelEstimator {
  public:
   explicit Kz11(const EstimatorSettings& of)
-      : of_(of), shared_(static_cast<std::size_t>(of.pixels)), own_(of.pixels, of.frames) {}
+      : PixelEstimator(of), shared_(static_cast<std::size_t>(of.pixels)), own_(of.pixels, of.frames) {}
   static std::size_t bytes(const EstimatorSettings& of) {
     return static_cast<std::size_t>(of.pixels) * sizeof(Rgb) + PixelFrames<Rgb>::bytes(of.pixels, of.frames);
   }
 
-  float search_radius2(const HitPoint& hit) const override { return radius_.squared(hit); }
+  float search_radius2(const HitPoint& hit) const override { return of_.radius->squared(hit.radius); }
 
   void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) override {
-    const float radius2 = radius_.squared(hit);
+    const float radius2 = search_radius2(hit);
     const Rgb per_area = hit.throughput / kernel_size(radius2);
     GatheredFlux flux(hit, map);
-    gather(hit, tile.scattering_of(hit), map, radius2, counts,
-           [&](const Strand* strands, FrameSet frames, RgbLanes photon, float) { flux.add(strands, frames, photon); });
+    gather_photons(
+        hit, tile.scattering_of(hit), map, radius2, counts,
+        [&](const Strand* strands, FrameSet frames, RgbLanes photon, float) { flux.add(strands, frames, photon); });
     flux.end();
     for_each_strand(tile.strands.of(hit.strands), hit.frames, [&](FrameSet frames, const Rgb& weight) {
       const Rgb times = per_area * weight;
@@ -38,11 +39,10 @@ class Kz11 final : public PixelEstimator {
   }
 
   // Every iteration emits the same number of photons, so seen light is weighted by it and needs no separate sums.
-  void see(const SeenLight& light) override {
+  void add(const SeenLight& light) override {
     add(light.pixel, light.frames, light.radiance * static_cast<float>(of_.photons));
   }
 
-  void begin_iteration(int iteration) override { radius_.go_to(iteration, of_.alpha); }
   void end_iteration() override { ++iterations_; }
 
   void persist(StateStream& state) override {
@@ -67,8 +67,6 @@ class Kz11 final : public PixelEstimator {
     }
   }
 
-  EstimatorSettings of_;
-  IterationRadius radius_;
   int iterations_ = 0;       // done
   std::vector<Rgb> shared_;  // by pixel: radiance times photons, common to all frames
   PixelFrames<Rgb> own_;     // the rest

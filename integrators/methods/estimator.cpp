@@ -1,0 +1,49 @@
+#include "dspm/integrators/methods/estimator.h"
+
+#include <cmath>
+
+#include "dspm/base/system/parallel.h"
+#include "dspm/integrators/caught_light.h"
+#include "dspm/integrators/possible_state.h"
+
+namespace dspm {
+
+void PixelEstimator::see(std::span<const HitPointTile> tiles) {
+  parallel_for(static_cast<std::int64_t>(tiles.size()), 1, [&](std::int64_t t) {
+    for (const SeenLight& light : tiles[static_cast<std::size_t>(t)].seen)
+      if (light.caught == of_.caught) add(light);
+  });
+}
+
+// Hidden light comes first. Its radius shrinks like kz11's for both estimators, so that it is linear in the photons and
+// can be added as seen light.
+void PixelEstimator::gather(const PhotonBatch& batch, BatchCounts& counts) {
+  gather_tiles(batch.tiles, counts.hidden, [&](const HitPointTile& tile, GatherCounts& work) {
+    for (const HitPoint& hit : tile.glossy)
+      if (hit.caught == of_.caught)
+        gather_hidden(hit, tile, batch.hidden, of_.radius->squared(hit.radius), work,
+                      [&](FrameSet frames, const Rgb& radiance) {
+                        add({frames, radiance / static_cast<float>(of_.photons), hit.pixel});
+                      });
+  });
+  gather_tiles(batch.tiles, counts.photons, [&](const HitPointTile& tile, GatherCounts& work) {
+    for (const HitPoint& hit : tile.hit_points)
+      if (hit.caught == of_.caught) gather_at(hit, tile, batch.photons, work);
+  });
+}
+
+std::vector<PixelOutput> PixelEstimator::outputs(int /*iterations*/) const {
+  return {{of_.caught ? caught_output() : radiance_output(),
+           [this](int pixel, Frame frame) { return radiance(pixel, frame); }}};
+}
+
+void PixelEstimator::expect_possible_statistics() const {
+  for (int pixel = 0; pixel < of_.pixels; ++pixel)
+    for (Frame f = 0; f < of_.frames; ++f) {
+      const std::optional<PixelStatistics> own = statistics(pixel, f);
+      if (!own) return;  // none has
+      expect_possible(own->R2 >= 0 && own->N >= 0 && std::isfinite(own->N), "its record of the pixels");
+    }
+}
+
+}  // namespace dspm
