@@ -1,0 +1,3 @@
+// One of the headers.
+
+struct Two {};
