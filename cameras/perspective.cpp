@@ -17,6 +17,7 @@
 //
 // [Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., 5.2]
 #include "dspm/base/math/ray.h"
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/cameras/blades.h"
@@ -33,7 +34,7 @@ class Perspective final : public Camera {
         screen_(projection.screen),
         lens_(projection.lens),
         blades_(blades),
-        scale_(std::tan(fov / 360 * kPi)) {
+        scale_(rounded::tan(fov / 360 * kPi)) {
     const float forward = length(to_world.vector({0, 0, 1}));
     spacing_at_1_ = mean_spacing(to_world, screen_.pixel_size() * scale_) / forward;
   }

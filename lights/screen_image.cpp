@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "dspm/base/math/rounded.h"
 #include "dspm/lights/linear_density.h"
 #include "dspm/lights/solid_angle.h"
 
@@ -18,7 +19,7 @@ int cells_of_pixel(const Image& image) {
 }
 
 Vec2 half_of_screen(const Image& image, float fov) {
-  const float tangent = std::tan(fov / 360 * kPi);
+  const float tangent = rounded::tan(fov / 360 * kPi);
   const float aspect = static_cast<float>(image.width) / static_cast<float>(image.height);
   return {tangent * std::max(aspect, 1.f), tangent * std::max(1 / aspect, 1.f)};
 }

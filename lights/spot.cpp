@@ -17,6 +17,7 @@
 // [Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., 12.2.1]
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/ray.h"
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/sampling.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
@@ -37,7 +38,7 @@ float versine(float degrees) {
 float sample_falloff(float u) {
   if (!(u > 0)) return 0;
   // Newton's steps from above never overshoot, because the function is convex; the fifth no longer changes anything.
-  float x = std::cbrt(u);
+  float x = rounded::cbrt(u);
   for (int i = 0; i < 5; ++i) x -= (x * x * x * (2 - x) - u) / (x * x * (6 - 4 * x));
   return std::clamp(x, 0.f, 1.f);
 }

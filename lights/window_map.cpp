@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "dspm/base/math/rounded.h"
 #include "dspm/lights/solid_angle.h"
 
 namespace dspm {
@@ -38,12 +39,12 @@ double inverse(double low, double high, double value, F&& f) {
 }  // namespace
 
 Vec3 WindowMap::direction_at(Vec2 place) {
-  const float x = std::tan((place.x - 0.5f) * kPi), y = std::tan((place.y - 0.5f) * kPi);
+  const float x = rounded::tan((place.x - 0.5f) * kPi), y = rounded::tan((place.y - 0.5f) * kPi);
   return normalize({x, y, 1});
 }
 
 Vec2 WindowMap::place_of(const Vec3& direction) {
-  return {std::atan2(direction.x, direction.z) / kPi + 0.5f, std::atan2(direction.y, direction.z) / kPi + 0.5f};
+  return {rounded::atan2(direction.x, direction.z) / kPi + 0.5f, rounded::atan2(direction.y, direction.z) / kPi + 0.5f};
 }
 
 // The angles' tangents are x / z and y / z, and an area of the plane z = 1 is seen at z^3 times its size.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/microfacet.h"
 #include "dspm/materials/table_place.h"
@@ -39,7 +40,7 @@ class BrushedAlbedo {
   /// Returns a direction's azimuth, 0 along the rough tangent and 1 across, spaced evenly where albedos change.
   static float turn(const Vec3& w, Vec2 alpha) {
     const float along = std::abs(w.x) * std::sqrt(alpha.x), across = std::abs(w.y) * std::sqrt(alpha.y);
-    return along + across > 0 ? std::atan2(across, along) * 2 / kPi : 0.5f;
+    return along + across > 0 ? rounded::atan2(across, along) * 2 / kPi : 0.5f;
   }
 
   /// Interpolates linearly between the table's entries. alpha.x must be the greater.

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/fresnel.h"
 
@@ -46,7 +47,7 @@ inline float log_bessel_i0(float x) {
 /// -theta_o.
 class Longitudinal {
  public:
-  explicit Longitudinal(float v) : v_(v), log_scale_(-std::log(v) - 1 / v - std::log1p(-std::exp(-2 / v))) {}
+  explicit Longitudinal(float v) : v_(v), log_scale_(-std::log(v) - 1 / v - rounded::log1p(-std::exp(-2 / v))) {}
 
   /// Returns 1 / (2 v sinh(1 / v)) e^(-sin sin / v) I0(cos cos / v), where 2 sinh(x) = e^x (1 - e^-2x).
   float density(float sin_o, float cos_o, float sin_i, float cos_i) const {
@@ -92,7 +93,7 @@ struct FibrePassage {
     const float sin_t = sin_o / eta, bravais = std::sqrt(std::max(0.f, eta * eta - sin_o * sin_o)) / cos_o;
     // An index below 1 may reflect all: then there is no way inside.
     const float sin_gamma_t = bravais > 0 ? std::clamp(h / bravais, -1.f, 1.f) : 0, cos_t = cos_of(sin_t);
-    gamma_o = std::asin(std::clamp(h, -1.f, 1.f)), gamma_t = std::asin(sin_gamma_t);
+    gamma_o = rounded::asin(std::clamp(h, -1.f, 1.f)), gamma_t = rounded::asin(sin_gamma_t);
     const float way = cos_t > 0 ? 2 * cos_of(sin_gamma_t) / cos_t : 0;
     const Rgb passed{std::exp(-sigma_a.r * way), std::exp(-sigma_a.g * way), std::exp(-sigma_a.b * way)};
     const float mirrored = fresnel_dielectric(cos_o * cos_of(h), eta);

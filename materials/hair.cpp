@@ -28,6 +28,7 @@
 #include <cmath>
 
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/materials/fibre.h"
@@ -84,7 +85,7 @@ class Hair final : public Bsdf {
     Angles(const Hair& hair, const Vec3& w)
         : sin(std::clamp(dot(w, hair.along_), -1.f, 1.f)),
           cos(cos_of(sin)),
-          phi(std::atan2(dot(w, hair.ns_), dot(w, cross(hair.ns_, hair.along_)))) {}
+          phi(rounded::atan2(dot(w, hair.ns_), dot(w, cross(hair.ns_, hair.along_)))) {}
   };
 
   /// A ray that leaves: its passage of the fibre, and the chance with which each path is sampled.

@@ -10,6 +10,7 @@
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/colour/sampled_colours.h"
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/microfacet.h"
 
@@ -70,8 +71,8 @@ BilinearWarp warp_of(const Tables& tables, const std::string& name, const GridPa
 }
 
 // The tables' coordinates: roots of angles to the normal, so that nodes are densest around it; and turns.
-float root_of_angle(const Vec3& w) { return std::sqrt(std::atan2(std::hypot(w.x, w.y), w.z) * (2 / kPi)); }
-float azimuth(const Vec3& w) { return std::atan2(w.y, w.x); }
+float root_of_angle(const Vec3& w) { return std::sqrt(rounded::atan2(std::hypot(w.x, w.y), w.z) * (2 / kPi)); }
+float azimuth(const Vec3& w) { return rounded::atan2(w.y, w.x); }
 float turn_of_azimuth(float phi) { return phi / (2 * kPi) + 0.5f; }
 
 constexpr float kLeastJacobian = 1e-6f;
@@ -87,7 +88,7 @@ struct MeasuredFile::Facet {
         phi_o(azimuth(wo)),
         o{root_of_angle(wo), turn_of_azimuth(phi_o)},
         at{root_of_angle(m), turn_of_azimuth(file.turn(azimuth(m), phi_o))},
-        mix(file.parameters_.at(phi_o, std::acos(std::min(wo.z, 1.f)))) {
+        mix(file.parameters_.at(phi_o, rounded::acos(std::min(wo.z, 1.f)))) {
     at.y -= std::floor(at.y);
   }
   Vec3 m;
@@ -189,7 +190,7 @@ float MeasuredFile::density(const Vec3& wo, const Vec3& wi) const {
 
 Vec3 MeasuredFile::sample(const Vec3& wo, const Vec2& u) const {
   const float phi_o = azimuth(wo);
-  const GridMix mix = parameters_.at(phi_o, std::acos(std::min(wo.z, 1.f)));
+  const GridMix mix = parameters_.at(phi_o, rounded::acos(std::min(wo.z, 1.f)));
   const Vec2 at = visible_.sample(luminance_.sample(u, mix).p, mix).p;
   const float angle = at.x * at.x * kPi / 2, phi = (2 * at.y - 1) * kPi + (is_isotropic_ ? phi_o : 0);
   const Vec3 m{std::sin(angle) * std::cos(phi), std::sin(angle) * std::sin(phi), std::cos(angle)};

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/textures/plugins.h"
@@ -30,7 +31,7 @@ class AngleTexture final : public Texture<T> {
   }
 
  private:
-  T angle(const Rgb& c) const { return T(rotation_ + std::atan2(2 * c.g - 1, 2 * c.r - 1) * 180 / kPi); }
+  T angle(const Rgb& c) const { return T(rotation_ + rounded::atan2(2 * c.g - 1, 2 * c.r - 1) * 180 / kPi); }
 
   TexturePtr<Rgb> directions_;
   float rotation_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 
 namespace dspm {
@@ -10,15 +11,15 @@ namespace {
 
 /// Returns the angle around z as a fraction of a turn from x, in [0, 1).
 float turn(const Vec3& p) {
-  const float fraction = std::atan2(p.y, p.x) / (2 * kPi);
+  const float fraction = rounded::atan2(p.y, p.x) / (2 * kPi);
   return fraction < 0 ? fraction + 1 : fraction;
 }
 
 /// Returns s from the pole at +z to the other, and t around the axis, as in pbrt.
-Vec2 spherical(const Vec3& p) { return {std::atan2(std::hypot(p.x, p.y), p.z) / kPi, turn(p)}; }
+Vec2 spherical(const Vec3& p) { return {rounded::atan2(std::hypot(p.x, p.y), p.z) / kPi, turn(p)}; }
 
 /// Returns s, which is 0 at -x, as in pbrt, and t, which is the height.
-Vec2 cylindrical(const Vec3& p) { return {0.5f + std::atan2(p.y, p.x) / (2 * kPi), p.z}; }
+Vec2 cylindrical(const Vec3& p) { return {0.5f + rounded::atan2(p.y, p.x) / (2 * kPi), p.z}; }
 
 /// Returns the change of a turn around z.
 float turned(const Vec3& p, const Vec3& dp) { return (p.x * dp.y - p.y * dp.x) / (2 * kPi * (p.x * p.x + p.y * p.y)); }

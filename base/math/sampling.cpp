@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dspm/base/math/rounded.h"
+
 namespace dspm {
 namespace {
 
@@ -42,7 +44,7 @@ Vec2 concentric_disk_numbers(Vec2 p) {
   if (r == 0) return {0.5f, 0.5f};
   const bool wide = std::abs(p.x) > std::abs(p.y);
   const float along = std::copysign(r, wide ? p.x : p.y);
-  const float across = along * (wide ? std::atan(p.y / p.x) : std::atan(p.x / p.y)) / (kPi / 4);
+  const float across = along * (wide ? rounded::atan(p.y / p.x) : rounded::atan(p.x / p.y)) / (kPi / 4);
   const Vec2 square = wide ? Vec2{along, across} : Vec2{across, along};
   return {0.5f * (square.x + 1), 0.5f * (square.y + 1)};
 }
@@ -55,7 +57,7 @@ Vec3 cosine_hemisphere(Vec2 u) {
 Vec3 uniform_sphere(Vec2 u) { return at_height(1 - 2 * u.x, 4 * u.x * (1 - u.x), u.y); }
 
 float turn_of(const Vec3& w) {
-  const float turn = std::atan2(w.y, w.x) / (2 * kPi);
+  const float turn = rounded::atan2(w.y, w.x) / (2 * kPi);
   return turn < 0 ? std::min(turn + 1, kBelowOne) : turn;
 }
 

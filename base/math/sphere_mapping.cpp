@@ -1,5 +1,7 @@
 #include "dspm/base/math/sphere_mapping.h"
 
+#include "dspm/base/math/rounded.h"
+
 namespace dspm {
 namespace {
 
@@ -20,7 +22,7 @@ Vec3 octahedral_direction(Vec2 place) {
 Vec2 octahedral_place(const Vec3& d) {
   // 1 - |z| without cancellation near the poles.
   const float r = std::sqrt((d.x * d.x + d.y * d.y) / (1 + std::abs(d.z)));
-  const float turn = std::atan2(std::abs(d.y), std::abs(d.x)) / (kPi / 2);
+  const float turn = rounded::atan2(std::abs(d.y), std::abs(d.x)) / (kPi / 2);
   float y = turn * r, x = r - y;
   if (d.z < 0) {
     const float unfolded = x;
@@ -35,8 +37,8 @@ Vec3 polar_direction(Vec2 place) {
 }
 
 Vec2 polar_place(const Vec3& d) {
-  const float turn = std::atan2(d.y, d.x) / (2 * kPi);
-  return {turn < 0 ? turn + 1 : turn, std::atan2(std::hypot(d.x, d.y), d.z) / kPi};
+  const float turn = rounded::atan2(d.y, d.x) / (2 * kPi);
+  return {turn < 0 ? turn + 1 : turn, rounded::atan2(std::hypot(d.x, d.y), d.z) / kPi};
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dspm/base/math/rounded.h"
+
 namespace dspm::gltf {
 namespace {
 
@@ -59,7 +61,7 @@ std::string view_of(const Subject& subject, double aspect) {
   if (subject.bounds.empty()) return "LookAt 0 0 -5  0 0 0  0 1 0\n";
   const Vec3 back = towards(kAzimuth, kElevation), right = normalize(cross(Vec3{0, 1, 0}, -back)),
              up = cross(-back, right);
-  const float half = std::tan(static_cast<float>(kUsualFov) / 360 * kPi);
+  const float half = rounded::tan(static_cast<float>(kUsualFov) / 360 * kPi);
   const float tan_y = half, tan_x = half * static_cast<float>(aspect);
   Vec3 target = subject.bounds.center();
   float distance = 0;
