@@ -7,14 +7,7 @@
 #include "dspm/base/math/frames.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/image/image.h"
-<<<<<<< HEAD
-#include "dspm/integrators/caught_light.h"
-#include "dspm/integrators/guiding/emission_of_file.h"
-#include "dspm/integrators/guiding/learn_indirect.h"
-#include "dspm/integrators/methods/group_sums.h"
-=======
 #include "dspm/integrators/methods/learned_ways.h"
->>>>>>> 0b0c60cf (Progressive integrators hand their photons to a list of sinks)
 #include "dspm/integrators/methods/photon_batches.h"
 #include "dspm/integrators/methods/pixel_sinks.h"
 #include "dspm/integrators/photons/typical_hit_point.h"

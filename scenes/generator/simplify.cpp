@@ -3,6 +3,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_placement.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
@@ -17,8 +18,10 @@ namespace simplification = CGAL::Surface_mesh_simplification;
 struct LengthCost {
   const Coarseness& coarseness;
 
+  // CGAL 5 wants boost's optional and CGAL 6 the standard one: what its own costs return.
   template <class Profile, class Placement>
-  boost::optional<double> operator()(const Profile& profile, const Placement&) const {
+  auto operator()(const Profile& profile, const Placement& placement) const
+      -> decltype(simplification::Edge_length_cost<CgalSurface>()(profile, placement)) {
     const auto a = profile.p0(), b = profile.p1();
     const double wanted = coarseness(to_vec3(CGAL::midpoint(a, b)));
     return CGAL::squared_distance(a, b) / (wanted * wanted);
