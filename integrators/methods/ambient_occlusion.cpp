@@ -6,8 +6,6 @@
 //   iterations   rays to the sky, a pixel          the sampler's pixelsamples, else 256
 //   cossample    rays by the cosine, or uniformly  true; the image is the same, the noise is not
 //   maxdistance  how far away things are in the way, in world units; 0: however far   0
-#include "dspm/integrators/methods/ambient_occlusion.h"
-
 #include <fmt/format.h>
 
 #include "dspm/base/colour/rgb.h"
@@ -16,10 +14,10 @@
 #include "dspm/base/math/sampling.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
+#include "dspm/integrators/common_params.h"
+#include "dspm/integrators/integrator.h"
+#include "dspm/integrators/methods/tile_traced.h"
 #include "dspm/integrators/photons/memory_needs.h"
-#include "dspm/integrators/random_params.h"
-#include "dspm/integrators/summing_integrator.h"
-#include "dspm/integrators/trace_tiles.h"
 #include "dspm/integrators/transport/branching_path.h"
 #include "dspm/integrators/transport/camera_path.h"
 #include "dspm/world/scene/scene.h"
@@ -77,23 +75,13 @@ class PixelTracer {
   BranchingPath<CameraPath> branches_;
 };
 
-class AmbientOcclusion final : public SummingIntegrator {
+class AmbientOcclusion final : public TileTraced {
  public:
   AmbientOcclusion(int iterations, const Hemisphere& hemisphere, int frames, const RenderSettings& render)
-      : SummingIntegrator(frames, render, at_start()),
-        iterations_(iterations),
-        hemisphere_(hemisphere),
-        render_(render) {}
+      : TileTraced(iterations, frames, render, at_start()), hemisphere_(hemisphere) {}
 
-  int iterations() const override { return iterations_; }
   std::string settings() const override {
     return fmt::format("one ray to the sky per pixel and iteration, maxdistance {}", hemisphere_.distance);
-  }
-
-  void iterate(const Iteration& iteration) override {
-    done_.advance([&](SeenLightSums& sums, Statistics& statistics) {
-      trace(iteration.scene, static_cast<std::uint64_t>(iteration.number), sums, statistics);
-    });
   }
 
  private:
@@ -103,28 +91,22 @@ class AmbientOcclusion final : public SummingIntegrator {
     return statistics;
   }
 
-  void trace(const Scene& scene, std::uint64_t iteration, SeenLightSums& sums, Statistics& statistics) const {
-    const StepTimer timer(statistics.steps[0]);
-    trace_tiles(render_.crop, iteration, statistics, [&] { return PixelTracer(scene, render_, hemisphere_, sums); });
+  void trace(const Iteration& iteration, SeenLightSums& sums, Statistics& statistics) const override {
+    trace_pixels(iteration, statistics, [&] { return PixelTracer(iteration.scene, render(), hemisphere_, sums); });
   }
 
-  int iterations_;
   Hemisphere hemisphere_;
-  RenderSettings render_;
 };
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_ambient_occlusion(ParamReader& params, const Scene& scene,
-                                                   const RenderSettings& render) {
-  const int iterations =
-      params.integer("iterations", render.default_iterations, "",
-                     "rays to the sky, a pixel; 0: until stopped. The default is the sampler's pixelsamples, else 256");
+std::unique_ptr<Integrator> make_ambientocclusion(ParamReader& params, const Scene& scene,
+                                                  const RenderSettings& render) {
+  const int iterations = read_iterations(params, render, "rays to the sky, a pixel");
   const bool by_cosine = params.flag("cossample", true, "rays by the cosine to the normal, else uniformly");
   const float distance =
       params.number("maxdistance", 0, "world units", "how far away things are in the way; 0: however far");
   describe_random_numbers(params);
-  if (iterations < 0) params.error("iterations", "the number of iterations must not be negative");
   if (!(distance >= 0)) params.error("maxdistance", "the distance must not be negative");
   params.finish();
   expect_enough(render.memory, {.pixels = SummedIterations::bytes(render.crop.count(), scene.frame_count())});

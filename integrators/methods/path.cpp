@@ -7,20 +7,18 @@
 //   iterations  paths per pixel                   the sampler's pixelsamples, else 256
 //   maxdepth    bounces                           5
 //   indirect    also light that rough surfaces have scattered more than once   true
-#include "dspm/integrators/methods/path.h"
-
 #include <fmt/format.h>
 
 #include "dspm/base/params/params.h"
 #include "dspm/integrators/caught_light.h"
+#include "dspm/integrators/common_params.h"
+#include "dspm/integrators/integrator.h"
 #include "dspm/integrators/light_groups.h"
 #include "dspm/integrators/max_depth.h"
 #include "dspm/integrators/methods/cut_light.h"
 #include "dspm/integrators/methods/path_tracer.h"
+#include "dspm/integrators/methods/tile_traced.h"
 #include "dspm/integrators/photons/memory_needs.h"
-#include "dspm/integrators/random_params.h"
-#include "dspm/integrators/summing_integrator.h"
-#include "dspm/integrators/trace_tiles.h"
 #include "dspm/integrators/transport/missed_light.h"
 #include "dspm/world/scene/scene.h"
 
@@ -33,24 +31,14 @@ struct Sums {
   void add(const SeenLight& light, int /*scatterings*/) { sums.add(light); }
 };
 
-class Path final : public SummingIntegrator {
+class Path final : public TileTraced {
  public:
   Path(int iterations, const PathLimits& limits, const Scene& scene, const RenderSettings& render)
-      : SummingIntegrator(scene, render, statistics_at_start(scene, render)),
-        iterations_(iterations),
-        limits_(limits),
-        render_(render) {}
+      : TileTraced(iterations, scene, render, statistics_at_start(scene, render)), limits_(limits) {}
 
-  int iterations() const override { return iterations_; }
   std::string settings() const override {
     return fmt::format("one path per pixel and iteration, maxdepth {}{}", limits_.max_depth,
                        limits_.indirect ? "" : ", direct light only");
-  }
-
-  void iterate(const Iteration& iteration) override {
-    done_.advance([&](SeenLightSums& sums, Statistics& statistics) {
-      trace_paths(iteration.scene, static_cast<std::uint64_t>(iteration.number), sums, statistics);
-    });
   }
 
  private:
@@ -61,24 +49,20 @@ class Path final : public SummingIntegrator {
     return statistics;
   }
 
-  void trace_paths(const Scene& scene, std::uint64_t iteration, SeenLightSums& sums, Statistics& statistics) const {
-    const StepTimer timer(statistics.steps[0]);
+  void trace(const Iteration& iteration, SeenLightSums& sums, Statistics& statistics) const override {
+    const Scene& scene = iteration.scene;
     Sums out{sums};
-    trace_tiles(render_.crop, iteration, statistics, [&] { return PathTracer(scene, render_, limits_, out); });
-    count_cut_light(scene, render_, limits_, iteration, statistics);
+    trace_pixels(iteration, statistics, [&] { return PathTracer(scene, render(), limits_, out); });
+    count_cut_light(scene, render(), limits_, static_cast<std::uint64_t>(iteration.number), statistics);
   }
 
-  int iterations_;
   PathLimits limits_;
-  RenderSettings render_;
 };
 
 }  // namespace
 
 std::unique_ptr<Integrator> make_path(ParamReader& params, const Scene& scene, const RenderSettings& render) {
-  const int iterations =
-      params.integer("iterations", render.default_iterations, "",
-                     "paths per pixel; 0: until stopped. The default is the sampler's pixelsamples, else 256");
+  const int iterations = read_iterations(params, render, "paths per pixel");
   const int max_depth = params.integer("maxdepth", 5, "", "maximum number of bounces");
   const bool indirect =
       params.flag("indirect", true, "light that rough surfaces have scattered more than once, too; false: direct only");
@@ -92,7 +76,6 @@ std::unique_ptr<Integrator> make_path(ParamReader& params, const Scene& scene, c
     params.diagnostics().note(params.where(), missed,
                               "dsppm and vcm find it, and path finds that of a small sphere or disk in its place");
   check_max_depth(params, max_depth, 0);
-  if (iterations < 0) params.error("iterations", "the number of iterations must not be negative");
   params.finish();
   const int groups = LightGroups(scene, render.outputs).count();
   const std::size_t sums =

@@ -5,8 +5,6 @@
 // by shadow rays, caustics from their map, and the rest from the global map, by default at the hit point itself, or
 // through final gather rays, which scatter at most four times off smooth lobes. Biased: the maps' blur remains.
 // Parameters: see make_photonmap below.
-#include "dspm/integrators/methods/photonmap.h"
-
 #include <fmt/format.h>
 
 #include "dspm/base/colour/rgb.h"
@@ -14,12 +12,13 @@
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/base/system/parallel.h"
+#include "dspm/integrators/common_params.h"
 #include "dspm/integrators/guiding/emission_of_file.h"
+#include "dspm/integrators/integrator.h"
 #include "dspm/integrators/max_depth.h"
 #include "dspm/integrators/photons/final_gather.h"
 #include "dspm/integrators/photons/hidden_light.h"
 #include "dspm/integrators/photons/memory_needs.h"
-#include "dspm/integrators/random_params.h"
 #include "dspm/integrators/summing_integrator.h"
 #include "dspm/integrators/tiles.h"
 #include "dspm/world/scene/scene.h"
@@ -254,9 +253,7 @@ class PhotonMapper final : public SummingIntegrator {
 std::unique_ptr<Integrator> make_photonmap(ParamReader& params, const Scene& scene, const RenderSettings& render) {
   PhotonMapSettings s;
   params.alias("photonsperiteration", "photons");
-  s.iterations =
-      params.integer("iterations", render.default_iterations, "",
-                     "camera paths per pixel; 0: until stopped. The default is the sampler's pixelsamples, else 256");
+  s.iterations = read_iterations(params, render, "camera paths per pixel");
   s.photons = params.integer("photons", s.photons, "", "photon paths for the global map, traced once");
   s.caustic_photons =
       params.integer("causticphotons", s.caustic_photons, "", "photon paths for the caustic map, traced once");
@@ -277,7 +274,6 @@ std::unique_ptr<Integrator> make_photonmap(ParamReader& params, const Scene& sce
   const auto demand = [&](bool holds, std::string_view name, const char* what) {
     if (!holds) params.error(name, what);
   };
-  demand(s.iterations >= 0, "iterations", "the number of iterations must not be negative");
   demand(s.photons > 0, "photons", "there must be at least one photon");
   demand(s.caustic_photons > 0, "causticphotons", "there must be at least one photon");
   demand(s.nearest == 0 || s.nearest >= 2, "nearest",

@@ -1,18 +1,15 @@
-// The table of integrators.
-#include "dspm/integrators/methods/ambient_occlusion.h"
-#include "dspm/integrators/methods/dsppm/dsppm.h"
-#include "dspm/integrators/methods/path.h"
-#include "dspm/integrators/methods/photonmap.h"
-#include "dspm/integrators/methods/sppm.h"
-#include "dspm/integrators/methods/vcm/vcm.h"
+// The table of integrators: one line for each.
+#include "dspm/integrators/integrator.h"
 
 namespace dspm {
+
+MakeIntegrator make_ambientocclusion, make_dsppm, make_path, make_photonmap, make_sppm, make_vcm;
 
 PluginTable<IntegratorPlugin>& integrator_plugins() {
   static PluginTable<IntegratorPlugin> table(
       "integrator",
       {
-          {{"ambientocclusion", "how much of the sky the first surface sees", make_ambient_occlusion}},
+          {{"ambientocclusion", "how much of the sky the first surface sees", make_ambientocclusion}},
           {{"dsppm", "dynamic stochastic progressive photon mapping: all frames together", make_dsppm}},
           {{"path", "path tracing, the unbiased reference", make_path}},
           {{"photonmap", "two-pass photon mapping, photons shared between frames", make_photonmap}},

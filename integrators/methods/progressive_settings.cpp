@@ -1,13 +1,13 @@
-#include "dspm/integrators/guiding/emission_of_file.h"
 #include "dspm/integrators/methods/progressive_settings.h"
 
 #include <fmt/format.h>
 
 #include "dspm/base/params/params.h"
+#include "dspm/integrators/common_params.h"
+#include "dspm/integrators/guiding/emission_of_file.h"
 #include "dspm/integrators/guiding/learn_indirect.h"
 #include "dspm/integrators/max_depth.h"
 #include "dspm/integrators/pixel_count.h"
-#include "dspm/integrators/random_params.h"
 
 namespace dspm {
 
@@ -15,9 +15,7 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
   ProgressiveSettings s;
   params.alias("photonsperiteration", "photons");
   params.former_name("mixture", "sharepaths");
-  s.iterations =
-      params.integer("iterations", render.default_iterations, "",
-                     "number of iterations; 0: until stopped. The default is the sampler's pixelsamples, else 256");
+  s.iterations = read_iterations(params, render, "number of iterations");
   s.photons = params.integer("photons", s.photons, "", "photon paths per iteration; also named photonsperiteration");
   s.hit_point.radius =
       params.number("radius", 0, "world units",
@@ -47,7 +45,6 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
     if (!holds) params.error(name, what);
   };
   demand(s.photons > 0 || s.photons == -1, "photons", "there must be at least one photon per iteration");
-  demand(s.iterations >= 0, "iterations", "the number of iterations must not be negative");
   demand(s.hit_point.radius >= 0, "radius", "the radius must not be negative");
   demand(s.alpha > 0 && s.alpha < 1, "alpha", "alpha must lie between 0 and 1");
   demand(least_alpha > 0, "gatheralpha", "gatheralpha must be positive: nothing gathers on a mirror");

@@ -3,8 +3,6 @@
 // Stochastic progressive photon mapping of a single frame, as [HJ09] or with [KZ11]'s radii: the honest baseline. It
 // shares nothing between frames: the session gives it a scene of one frame at a time, and every pixel has one radius
 // and one hit point. Parameters: see progressive_settings.cpp.
-#include "dspm/integrators/methods/sppm.h"
-
 #include <algorithm>
 #include <cassert>
 #include <utility>
@@ -14,6 +12,7 @@
 #include "dspm/base/math/frames.h"
 #include "dspm/base/params/params.h"
 #include "dspm/base/system/parallel.h"
+#include "dspm/integrators/integrator.h"
 #include "dspm/integrators/methods/progressive.h"
 #include "dspm/integrators/possible_state.h"
 #include "dspm/world/scene/scene.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "dspm/base/params/errors.h"
-#include "dspm/integrators/random_params.h"
+#include "dspm/integrators/common_params.h"
 
 namespace dspm {
 namespace {

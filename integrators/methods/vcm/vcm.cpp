@@ -18,8 +18,6 @@
 //   lighttracing  light paths' vertices with the camera   true
 //   emission      where light paths start                 guided; or power
 //   sharepaths    frames that scatter alike share paths   true
-#include "dspm/integrators/methods/vcm/vcm.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,9 +25,11 @@
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
+#include "dspm/integrators/common_params.h"
 #include "dspm/integrators/guiding/emission_of_file.h"
 #include "dspm/integrators/guiding/file_sample.h"
 #include "dspm/integrators/guiding/pilot_pixels.h"
+#include "dspm/integrators/integrator.h"
 #include "dspm/integrators/max_depth.h"
 #include "dspm/integrators/methods/cut_light.h"
 #include "dspm/integrators/methods/estimator.h"
@@ -40,8 +40,8 @@
 #include "dspm/integrators/photons/trace_hit_points.h"
 #include "dspm/integrators/photons/memory_needs.h"
 #include "dspm/integrators/pixel_count.h"
-#include "dspm/integrators/random_params.h"
 #include "dspm/integrators/summing_integrator.h"
+#include "dspm/world/scene/scene.h"
 
 namespace dspm {
 namespace {
@@ -175,9 +175,7 @@ class Vcm final : public SummingIntegrator {
 VcmSettings read_settings(ParamReader& params, const RenderSettings& render) {
   VcmSettings s;
   params.alias("photonsperiteration", "photons");
-  s.iterations =
-      params.integer("iterations", render.default_iterations, "",
-                     "paths per pixel; 0: until stopped. The default is the sampler's pixelsamples, else 256");
+  s.iterations = read_iterations(params, render, "paths per pixel");
   s.photons = params.integer("photons", -1, "", "light paths per iteration; -1: one per pixel of the image");
   s.max_depth = params.integer("maxdepth", s.max_depth, "", "maximum number of bounces of a whole path");
   s.radius = params.number("radius", 0, "world units",
@@ -197,7 +195,6 @@ VcmSettings read_settings(ParamReader& params, const RenderSettings& render) {
   const auto demand = [&](bool holds, std::string_view name, const char* what) {
     if (!holds) params.error(name, what);
   };
-  demand(s.iterations >= 0, "iterations", "the number of iterations must not be negative");
   demand(s.photons > 0 || s.photons == -1, "photons", "there must be at least one light path per iteration");
   demand(s.radius >= 0, "radius", "the radius must not be negative");
   demand(s.alpha > 0 && s.alpha < 1, "alpha", "alpha must lie between 0 and 1");

@@ -1,5 +1,5 @@
 #include <dspm/accel/brute_force.h>
-#include <dspm/integrators/methods/dsppm/dsppm.h>
+#include <dspm/integrators/integrator.h>
 #include <dspm/session/modules/module.h>
 
 namespace dspm {
@@ -8,6 +8,7 @@ MakeMaterial make_dielectric;
 MakeShape make_sphere;
 MakeLight make_spot;
 MakeCamera make_perspective;
+MakeIntegrator make_dsppm;
 template <class T>
 TexturePtr<T> make_checkerboard(ParamReader& reader, const TextureContext& context);
 

@@ -1,0 +1,46 @@
+// An integrator whose iterations follow one camera path through each pixel, tile by tile, and sum up what these see.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+
+#include "dspm/integrators/integrator.h"
+#include "dspm/integrators/summing_integrator.h"
+#include "dspm/integrators/trace_tiles.h"
+
+namespace dspm {
+
+class TileTraced : public SummingIntegrator {
+ public:
+  int iterations() const override { return iterations_; }
+
+  void iterate(const Iteration& iteration) override {
+    done_.advance([&](SeenLightSums& sums, Statistics& statistics) {
+      const StepTimer timer(statistics.steps[0]);
+      trace(iteration, sums, statistics);
+    });
+  }
+
+ protected:
+  /// Has one step in `begin`. For `frames`, a number or the scene, see SummingIntegrator.
+  template <class Frames>
+  TileTraced(int iterations, const Frames& frames, const RenderSettings& render, Statistics begin)
+      : SummingIntegrator(frames, render, std::move(begin)), iterations_(iterations), render_(render) {}
+
+  /// Traces all tiles and adds to `sums` and `statistics`.
+  virtual void trace(const Iteration& iteration, SeenLightSums& sums, Statistics& statistics) const = 0;
+
+  /// Follows a camera path through each pixel with a tracer of make_tracer() for each tile; see trace_tiles().
+  template <class MakeTracer>
+  void trace_pixels(const Iteration& iteration, Statistics& statistics, MakeTracer&& make_tracer) const {
+    trace_tiles(render_.crop, static_cast<std::uint64_t>(iteration.number), statistics, make_tracer);
+  }
+
+  const RenderSettings& render() const { return render_; }
+
+ private:
+  int iterations_;
+  RenderSettings render_;
+};
+
+}  // namespace dspm
