@@ -9,7 +9,6 @@
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/system/untouched.h"
-#include "dspm/shapes/curve_passage.h"
 #include "dspm/shapes/curve_segment.h"
 #include "dspm/shapes/shape.h"
 
