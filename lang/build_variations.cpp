@@ -62,18 +62,8 @@ bool can_replace(DirectiveKind kind) {
     case integrator:
     case light_source:
     case area_light_source:
-    case dynamic_begin:
-    case translate:
-    case rotate:
-    case scale:
-    case look_at:
-    case transform:
-    case concat_transform:
-    case identity:
-    case coord_sys_transform:
-    case keyframe:
-    case keyframe_end: return true;
-    default: return false;
+    case dynamic_begin: return true;
+    default: return moves(kind);
   }
 }
 

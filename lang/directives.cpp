@@ -86,4 +86,20 @@ std::vector<std::string> directive_names() {
   return names;
 }
 
+bool moves(DirectiveKind kind) {
+  switch (kind) {
+    case translate:
+    case rotate:
+    case scale:
+    case look_at:
+    case transform:
+    case concat_transform:
+    case identity:
+    case coord_sys_transform:
+    case keyframe:
+    case keyframe_end: return true;
+    default: return false;
+  }
+}
+
 }  // namespace dspm

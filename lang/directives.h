@@ -39,5 +39,7 @@ std::span<const DirectiveInfo> all_directives();
 /// Returns null if no directive has that name.
 const DirectiveInfo* find_directive(std::string_view name);
 std::vector<std::string> directive_names();
+/// Returns whether the directive moves what follows, or is a key or the end of such motion.
+bool moves(DirectiveKind kind);
 
 }  // namespace dspm

@@ -7,22 +7,6 @@ namespace {
 
 using enum DirectiveKind;
 
-bool may_stand_between_keys(DirectiveKind kind) {
-  switch (kind) {
-    case keyframe:
-    case keyframe_end:
-    case translate:
-    case rotate:
-    case scale:
-    case look_at:
-    case transform:
-    case concat_transform:
-    case identity:
-    case coord_sys_transform: return true;
-    default: return false;
-  }
-}
-
 std::string frames_in_words(const SceneDescription& scene) {
   const int first = scene.first_moment.number(), last = first + scene.moments - 1;
   if (first != 1) return first == last ? fmt::format("frame {}", first) : fmt::format("frames {} to {}", first, last);
@@ -48,7 +32,7 @@ bool takes_keys(DirectiveKind kind) {
 
 void SceneBuilder::apply(Directive directive) {
   repeatable_ = nullptr;
-  if (group_ && !may_stand_between_keys(directive.info->kind)) close_forgotten_group(directive);
+  if (group_ && !moves(directive.info->kind)) close_forgotten_group(directive);
   if (!check_section(directive)) return;
   check_keys(directive);
   directive.params.space = state_.space;
