@@ -23,6 +23,8 @@
 
 namespace dspm {
 
+class ShapeMaker;
+
 /// A shape at one place, and the frames in which it is there.
 struct WorldShape {
   PlacedShape placed;  // `frames` and `light` are set when a scene is cut
@@ -86,6 +88,8 @@ class Geometry {
   class Joining;
   void refuse_unknown_objects();
   void find_bounds();
+  /// Returns what makes the shapes of a directive whose type there is.
+  ShapeMaker maker_of(const ShapeUse& use) const;
   void add_sources(const std::vector<ShapeUse>& uses, const std::vector<const ObjectUse*>& instances);
   std::optional<Source> make_source(const ShapeUse& use, Diagnostics& diagnostics, bool by_extent = true) const;
   void take_extent(const ShapeUse& use, Source& source, Diagnostics& diagnostics) const;

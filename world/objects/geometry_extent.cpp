@@ -44,7 +44,7 @@ void Geometry::take_extent(const ShapeUse& use, Source& source, Diagnostics& dia
   const std::optional<Bounds3> extent = extent_of(use);
   const std::vector<ParamList>& states = source.params.states;
   if (!extent || states.size() < 2 || diagnostics.error_count() > 0) return;
-  const ShapeMaker maker(*shape_plugins().find(use.type), use, description_.main_directory(), kept_);
+  const ShapeMaker maker = maker_of(use);
   Diagnostics messages(diagnostics.lenient());
   MadeOfParams made = maker.make(states.front(), messages);
   if (messages.error_count() > 0 || !is_plain(made.shapes)) return;
@@ -65,7 +65,7 @@ void Geometry::read(std::span<const FileFrame> frames) {
   parallel_for(static_cast<std::int64_t>(wanted.size()), 1, [&](std::int64_t i) {
     const auto at = static_cast<std::size_t>(i);
     const ShapeUse& use = *wanted[at]->use;
-    const ShapeMaker maker(*shape_plugins().find(use.type), use, description_.main_directory(), kept_);
+    const ShapeMaker maker = maker_of(use);
     made[at] = maker.make(wanted[at]->params, messages[at]);
   });
   for (std::size_t i = 0; i < wanted.size(); ++i) {

@@ -129,10 +129,14 @@ void Geometry::add_sources(const std::vector<ShapeUse>& uses, const std::vector<
   joining.finish();
 }
 
+ShapeMaker Geometry::maker_of(const ShapeUse& use) const {
+  return {*shape_plugins().find(use.type), use, description_.main_directory(), kept_};
+}
+
 /// Makes one shape of a part of the run of `first`, which is there and has one state. Returns nullopt if there is none,
 /// or if there is anything to report about it.
 std::optional<Geometry::Source> Geometry::make_source(const ShapeUse& first, std::size_t begin, std::size_t end) const {
-  const ShapeMaker maker(*shape_plugins().find(first.type), first, description_.main_directory(), kept_);
+  const ShapeMaker maker = maker_of(first);
   ParamList params = first.params;
   std::optional<Source> joined;
   for (std::size_t i = begin; i < end; ++i) {
@@ -156,8 +160,7 @@ std::optional<Geometry::Source> Geometry::make_source(const ShapeUse& first, std
 /// state that has errors.
 std::optional<Geometry::Source> Geometry::make_source(const ShapeUse& use, Diagnostics& diagnostics,
                                                       bool by_extent) const {
-  const auto* plugin = shape_plugins().find(use.type, use.type_where, diagnostics);
-  if (!plugin) return std::nullopt;
+  if (shape_plugins().find(use.type, use.type_where, diagnostics) == nullptr) return std::nullopt;
   Source source;
   source.params =
       param_states(without_alpha(use.params), description_.frames, presence(description_, use.dynamic_block));
@@ -168,7 +171,7 @@ std::optional<Geometry::Source> Geometry::make_source(const ShapeUse& use, Diagn
   const std::vector<ParamList>& states = source.params.states;
   std::vector<Diagnostics> messages(states.size(), Diagnostics(diagnostics.lenient()));
   std::vector<MadeOfParams> made(states.size());
-  const ShapeMaker maker(*plugin, use, description_.main_directory(), kept_);
+  const ShapeMaker maker = maker_of(use);
   parallel_for(static_cast<std::int64_t>(states.size()), 1, [&](std::int64_t i) {
     const auto at = static_cast<std::size_t>(i);
     made[at] = maker.make(states[at], messages[at]);
