@@ -156,17 +156,22 @@ def picture_file(kind, depth, colour):
     return path
 
 
+def known(image, *names):
+    """The first of a colour space's names that this Blender has."""
+    return next(each for each in names if each in image.colorspace_settings.bl_rna.properties["name"].enum_items)
+
+
 def expect_colour_spaces():
     """Pictures of numbers are what their colour space says, as a surface and as the sky."""
     numbers = np.array([.5, .25, .1])
     linear = ((numbers + 0.055) / 1.055) ** 2.4
     for kind, depth, space, seen in (
-            ("OPEN_EXR", "32", "Linear", numbers), ("OPEN_EXR", "32", "sRGB", linear), ("OPEN_EXR", "32", "Linear ACEScg", FROM_ACESCG @ numbers),
+            ("OPEN_EXR", "32", "Linear", numbers), ("OPEN_EXR", "32", "sRGB", linear), ("OPEN_EXR", "32", "ACEScg", FROM_ACESCG @ numbers),
             ("PNG", "16", "sRGB", linear), ("PNG", "16", "Non-Color", numbers), ("PNG", "8", "sRGB", linear),
-            ("PNG", "8", "Linear ACEScg", FROM_ACESCG @ numbers)):
+            ("PNG", "8", "ACEScg", FROM_ACESCG @ numbers)):
         scene = begin(camera=(0, 0, 2))
         image = bpy.data.images.load(picture_file(kind, depth, numbers))
-        image.colorspace_settings.name = space
+        image.colorspace_settings.name = known(image, space, f"{space} Rec.709", f"Linear {space}")
 
         def glow(tree):
             emission = scenes.bsdf(tree, "Emission")
@@ -238,8 +243,69 @@ def expect_baked_textures(samples=16):
     expect(set(bpy.data.images.keys()) <= {"Render Result"}, "and can be removed")
 
 
+def expect_principled():
+    """Each input of Principled is a parameter, or named. Those that Blender 3 and 4 call otherwise are told by dspm's words."""
+    new = scenes.SINCE_4
+    scene = begin()
+    scenes.sky((1, 1, 1, 1), 1)
+    tint = {"Specular Tint": (1, .5, .25, 1) if new else 1.0}
+    for name, inputs, expected in (
+            ("coat", {"Coat Weight": 0.5, "Coat Tint": (1, .5, 1, 1)} if new else {"Clearcoat": 1.0},
+             ['"float coat" 0.5', '"rgb basecolor" [0.8 0.6 0.8]', '"rgb specularcolor" [1 0.75 1]'] if new else ['"float coat" 0.25']),
+            ("sheen", {"Sheen Weight": 0.5, "Sheen Roughness": 0.25, "Sheen Tint": (1, .5, 0, 1)} if new else {"Sheen": 0.5, "Sheen Tint": 0.0},
+             ['"rgb sheen" [0.5 0.25 0]', '"float sheenroughness" 0.25'] if new else ['"rgb sheen" [0.5 0.5 0.5]']),
+            ("tint", tint | {"Base Color": (.8, .8, .8, 1)}, ['"rgb specularcolor" [1 0.5 0.25]'] if new else []),
+            ("glow", {"Emission Color" if new else "Emission": (.5, .25, 0, 1), "Emission Strength": 3},
+             ['"rgb emission" [1 0.5 0]', '"float emissionstrength" 1.5']),
+            *((("film", {"Thin Film Thickness": 300, "Thin Film IOR": 1.4},
+                ['"float iridescence" 1', '"float iridescencethickness" 300', '"float iridescenceeta" 1.4']),) if new else ())):
+        thing = scenes.plane(1, scenes.material(name, lambda tree: scenes.bsdf(tree, "Principled", **inputs)))
+        path, notes = exported(scene, f"principled {name}")
+        line = next(each for each in text_of(path).splitlines() if each.startswith(f'MakeNamedMaterial "{name}"'))
+        for text in expected:
+            expect(near(line, text), f"{name}: {text} is in {line}")
+        expect(all("coat" in note for note in notes) if name == "coat" else notes == [], f"{name} is said to lack nothing: {notes}")
+        expect(np.isfinite(rendered(path)[0]).all(), f"{name} is rendered")
+        bpy.data.objects.remove(thing)
+
+
+def near(line, text):
+    """The parameter is in the line, whose numbers are singles."""
+    name, wanted = text.rsplit('"', 1)
+    if name not in line:
+        return False
+    numbers = lambda words: [float(word) for word in words.strip(" []").split()]
+    return np.allclose(numbers(line.split(name + '"', 1)[1].split('"')[0]), numbers(wanted), atol=1e-5)
+
+
+def expect_what_is_new():
+    """Light linking is named, metal is metal, and the scene says how Blender shows it."""
+    if not scenes.SINCE_4:
+        return
+    scene = begin()
+    scene.view_settings.view_transform, scene.view_settings.look, scene.view_settings.exposure = "AgX", "AgX - Punchy", 0.5
+    scenes.lamp("POINT", (0, 0, 4), 100).light_linking.receiver_collection = bpy.data.collections.new("only these")
+    kinds = (("F82", {}, '"string type" "principled"'), ("PHYSICAL_CONDUCTOR", {}, '"string type" "conductor"'),
+             ("PHYSICAL_CONDUCTOR", {"Anisotropy": 0.5}, '"float anisotropy" 0.5'))
+
+    def metal(tree, kind, inputs):
+        node = scenes.bsdf(tree, "Metallic", **inputs)
+        node.fresnel_type = kind
+        return node
+    for i, (kind, inputs, _) in enumerate(kinds if hasattr(bpy.types, "ShaderNodeBsdfMetallic") else ()):
+        scenes.plane(1, scenes.material(f"metal {i}", lambda tree: metal(tree, kind, inputs)))
+    path, notes = exported(scene, "new")
+    expect(any("light linking is left out" in note for note in notes), f"light linking is named: {notes}")
+    text = text_of(path)
+    expect("# Blender's view: AgX, AgX - Punchy; dspm's: --view agx-punchy --exposure 0.5" in text, "the view is named")
+    for i, (kind, inputs, wanted) in enumerate(kinds):
+        line = next((each for each in text.splitlines() if each.startswith(f'MakeNamedMaterial "metal {i}"')), "")
+        expect(wanted in line, f"metal by {kind} {inputs} has {wanted}: {line}")
+    expect(np.isfinite(rendered(path)[0]).all(), "metal is rendered")
+
+
 def main():
-    for test in (expect_what_is_shrunk_to_nothing, expect_view_layers, expect_fog, expect_colour_spaces, expect_baked_textures):
+    for test in (expect_principled, expect_what_is_new, expect_what_is_shrunk_to_nothing, expect_view_layers, expect_fog, expect_colour_spaces, expect_baked_textures):
         test()
     print(f"{len(failures)} failures")
     sys.exit(1 if failures else 0)

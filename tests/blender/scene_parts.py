@@ -36,7 +36,8 @@ def bsdf(tree, kind, **inputs):
 def image(name, colours, width, height, linear=False):
     """`colours` gives red, green and blue at places in 0..1."""
     made = bpy.data.images.new(name, width, height, float_buffer=linear and name == "sky")
-    made.colorspace_settings.name = "Linear" if made.is_float else "Non-Color" if linear else "sRGB"
+    if not made.is_float:  # those of floats are linear
+        made.colorspace_settings.name = "Non-Color" if linear else "sRGB"
     x, y = np.meshgrid((np.arange(width) + 0.5) / width, (np.arange(height) + 0.5) / height)
     rgba = np.dstack([*(each + 0.0 * x for each in colours(x, y)), np.ones_like(x)])
     made.pixels.foreach_set(rgba.astype(np.float32).ravel())

@@ -6,6 +6,8 @@ import numpy as np
 
 from scene_parts import bsdf, empty, image, lamp, material, plane, sky, texture
 
+SINCE_4 = bpy.app.version >= (4, 0)
+
 
 def startup():
     """Blender's own, as it is."""
@@ -231,9 +233,9 @@ def wax():
     empty(camera=(0, -6, 2), target=(0, 0, 0.6), lens=45)
     plane(30, material("ground", lambda tree: bsdf(tree, "Diffuse", Color=(.5, .5, .5, 1))))
     milk = material("milk", milky)
+    inside = {"Subsurface Weight": 0.4, "Subsurface Scale": 0.4} if SINCE_4 else {"Subsurface": 0.4, "Subsurface Color": (.8, .3, .2, 1)}
     skin = material("skin", lambda tree: bsdf(tree, "Principled", **{
-        "Base Color": (.8, .5, .3, 1), "Subsurface Color": (.8, .3, .2, 1), "Subsurface": 0.4, "Subsurface Radius": (1, .4, .2),
-        "Roughness": 0.4}))
+        "Base Color": (.8, .5, .3, 1), "Subsurface Radius": (1, .4, .2), "Roughness": 0.4}, **inside))
     for x, paint in ((-1.1, milk), (1.1, skin)):
         bpy.ops.mesh.primitive_uv_sphere_add(radius=0.9, location=(x, 0, 0.9))
         bpy.ops.object.shade_smooth()
@@ -278,4 +280,22 @@ def mapped(tree, chain):
     return paint
 
 
-ALL = (startup, lamps, glass_monkey, waves, instances, pictures, hair, moving, painted, wax, turned)
+def layers():
+    """What Principled has since Blender 4: a coat, sheen, a tint, light inside and a thin film, on five balls."""
+    empty(camera=(0, -8, 2.5), target=(0, 0, 0.6), lens=45)
+    plane(30, material("ground", lambda tree: bsdf(tree, "Diffuse", Color=(.5, .5, .5, 1))))
+    kinds = ({"Coat Weight": 0.8, "Coat Roughness": 0.1, "Coat Tint": (.9, .6, .3, 1), "Roughness": 0.6},
+             {"Sheen Weight": 1, "Sheen Roughness": 0.4, "Sheen Tint": (.6, .8, 1, 1), "Roughness": 0.8},
+             {"Specular Tint": (1, .4, .2, 1), "Specular IOR Level": 0.8, "Roughness": 0.3},
+             {"Emission Color": (1, .6, .2, 1), "Emission Strength": 0.4},
+             {"Thin Film Thickness": 450, "Thin Film IOR": 1.4, "Roughness": 0.2, "Base Color": (.05, .05, .05, 1)})
+    for i, inputs in enumerate(kinds):
+        paint = material(f"ball {i}", lambda tree: bsdf(tree, "Principled", **{"Base Color": (.5, .2, .1, 1)} | inputs))
+        bpy.ops.mesh.primitive_uv_sphere_add(radius=0.6, location=(1.35 * (i - 2), 0, 0.6))
+        bpy.ops.object.shade_smooth()
+        bpy.context.object.data.materials.append(paint)
+    lamp("AREA", (2, -2, 4), 400, turn=(0.5, 0.5, 0), size=2)
+    sky((.6, .7, .9, 1), 0.5)
+
+
+ALL = (startup, lamps, glass_monkey, waves, instances, pictures, hair, moving, painted, wax, turned, *((layers,) if SINCE_4 else ()))

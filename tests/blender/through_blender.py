@@ -194,8 +194,9 @@ def expect_gloss():
 
 def expect_glass():
     """Principled with only Transmission is what dspm takes."""
+    glassy = "Transmission Weight" if scenes.SINCE_4 else "Transmission"
     bpy.data.objects["Suzanne"].data.materials[0] = scenes.material(
-        "clear", lambda tree: scenes.bsdf(tree, "Principled", Transmission=1, IOR=1.45))
+        "clear", lambda tree: scenes.bsdf(tree, "Principled", **{glassy: 1, "IOR": 1.45}))
     path = os.path.join(folder, "clear.dsc")
     bpy.ops.export_scene.dspm(filepath=path, animation=False)
     run = subprocess.run([program, path, "--check"], capture_output=True, text=True)

@@ -72,8 +72,8 @@ DIFFERENT = {
         "rough glass": 'Material "dielectric" "float roughness" 0.2',
         "thindielectric": 'Material "thindielectric"',
         "principled": 'Material "principled" "rgb basecolor" [0.2 0.5 0.7] "float coat" 0.6 "rgb sheen" [0.3 0.3 0.3] "float roughness" 0.4',
+        "soap film": 'Material "principled" "rgb basecolor" [0.1 0.1 0.1] "float roughness" 0.1 "float iridescence" 1',
         "subsurface": 'Material "subsurface" "rgb mfp" [0.2 0.1 0.05] "rgb reflectance" [0.8 0.6 0.5]',
-        "film": 'Material "conductor" "float roughness" 0.1 "float thinfilmthickness" 400',
     },
     "texture": {name: textured(text) for name, text in {
         "checkerboard": '"checkerboard" "float uscale" 8 "float vscale" 8',

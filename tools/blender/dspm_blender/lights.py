@@ -1,8 +1,8 @@
 """Lights in Blender's units, as Cycles renders them.
 
 With P the power in W: a point or spot light has the intensity P / (4 pi), whatever the spot's cone; a point light with
-a radius r is a sphere of radiance P / (4 pi) / (pi r^2); an area light of area A has the radiance P / (4 A). A sun's strength is
-irradiance, and its angle the diameter of its disk. tests/blender compares each of them with Cycles.
+a radius r is a sphere of radiance P / (4 pi) / (pi r^2); an area light of area A has the radiance P / (4 A), since Blender 4
+P / (pi A). A sun's strength is irradiance, and its angle the diameter of its disk. tests/blender compares each of them with Cycles.
 """
 import math
 
@@ -13,6 +13,7 @@ from .camera import unscaled
 from .colours import constant_colour
 from .directive import Directive, over_frames
 from .light_groups import light_group
+from .versions import POWER_OF_AREA
 
 LEAST_ANGLE = 0.01  # degrees: of dspm's disks
 LEAST_SOFT = 1  # degrees: sharper shadows go without a note
@@ -103,9 +104,11 @@ class Light:
         shape = Directive("Shape", "disk").with_params({"float radius": 0.5}) if round_one else Directive(
             "Shape", "trianglemesh").with_params({
                 "point3 P": [-.5, -.5, 0, .5, -.5, 0, .5, .5, 0, -.5, .5, 0], "integer indices": [0, 1, 2, 0, 2, 3]})
-        return turned, area_light(self._colour(light, 1 / (4 * area_of(light, matrix)))), shape
+        return turned, area_light(self._colour(light, 1 / (POWER_OF_AREA * area_of(light, matrix)))), shape
 
     def _colour(self, light, factor):
+        if getattr(light, "exposure", 0) or getattr(light, "use_temperature", False) or not getattr(light, "normalize", True):
+            self.notes.add(f'light "{self.name}": its exposure, temperature and Normalize are left out')  # of Blender 4.5
         colour = times(light.color, light.energy * factor)
         if not light.use_nodes:
             return colour

@@ -1,7 +1,7 @@
 """Blender's Principled BSDF, of versions before 4 and since. dspm's parameters are explained in principled.cpp."""
 import numpy as np
 
-from .fields import Field, complement, is_one, is_zero, luminance, product, total
+from .fields import Field, complement, is_one, is_zero, luminance, product, together, total
 from .shader import Shader
 from .subsurface import body
 from .versions import is_new, principled_names
@@ -50,16 +50,83 @@ def of_surface(tree, source, name, new):
     if not new and is_one(transmission):
         colour = product(colour, colour)  # it colours each boundary, dspm's root does
     eta, specular = gloss(tree, source, get("specular"), transmission, eta, new)
-    fields = {"basecolor": colour, "roughness": get("roughness"), "specular": specular}
+    coat, tint = of_coat(tree, source, get("coat"), new)
+    fields = {"basecolor": product(colour, tint), "roughness": get("roughness"), "specular": specular}
     optional = {"metallic": get("metallic"), "transmission": transmission, "anisotropy": get("anisotropy"),
-                "coat": scaled(get("coat"), 1 if new else 0.25), "sheen": sheen(tree, source, new)}
+                "coat": coat, "sheen": sheen(tree, source, new)}
     fields |= {each: value for each, value in optional.items() if tree.animated or not is_zero(value)}
+    glint = product(specular_tint(tree, source, new), tint)
+    if tree.animated or not is_one(glint):
+        fields["specularcolor"] = glint
     if "coat" in fields:
         fields["coatroughness"] = get("coatroughness")
+    if new and "sheen" in fields:
+        fields["sheenroughness"] = tree.field(source, "Sheen Roughness")
     if "anisotropy" in fields:
         fields["anisotropyrotation"] = scaled(tree.field(source, "Anisotropic Rotation"), 360)
-    light = product(get("emission"), tree.field(source, "Emission Strength"))
-    return Shader("principled", fields, {"float eta": eta} | tree.relief(source), get("alpha"), light)
+    film, plain = thin_film(tree, source)
+    light = product(get("emission"), tree.field(source, "Emission Strength"), tint)
+    note_lacks(tree, source, transmission)
+    return Shader("principled", fields | film, {"float eta": eta} | plain | tree.relief(source), get("alpha"), light)
+
+
+def of_coat(tree, source, weight, new):
+    """(its share of dspm's coat, which has an index of 1.5, and what passes it, straight on)."""
+    if not new:
+        return scaled(weight, 0.25), Field.of(1)
+    if is_zero(weight) and not tree.animated:
+        return weight, Field.of(1)
+    share = straight_on(tree.number(source, "Coat IOR")) / straight_on(1.5)
+    if abs(share - 1) > 1e-3:
+        tree.note(source, "its coat has an index of 1.5, and covers as much as mirrors the same straight on")
+    coat = weight.with_values(np.minimum(weight.values * share, 1)) if abs(share - 1) > 1e-3 else weight
+    absorbed = product(weight, complement(tree.field(source, "Coat Tint")))
+    if is_zero(absorbed):
+        return coat, Field.of(1)
+    tree.note(source, "its coat colours what is below as it does straight on")
+    return coat, complement(absorbed)
+
+
+def specular_tint(tree, source, new):
+    """Of what the opaque dielectric mirrors, straight on."""
+    tint = tree.field(source, "Specular Tint")
+    if not new:
+        return hue_by(tree.field(source, "Base Color"), tint)
+    if not is_one(tint) and not is_zero(tree.field(source, "Metallic")):
+        tree.note(source, "its metal has no tint at grazing angles")
+    return tint
+
+
+def hue_by(colour, share):
+    """White, or the colour's hue for that share of it: the tints before Blender 4."""
+    if is_zero(share):
+        return Field.of(1)
+    (values, shares), leader = together([colour, share])
+    hue = values / np.maximum(luminance(values), 1e-6)[..., None]
+    return leader.with_values(1 + shares * (hue - 1))
+
+
+def thin_film(tree, source):
+    """(fields, plain parameters) since Blender 4.2; it is on dielectrics only."""
+    if "Thin Film Thickness" not in source.node.inputs:
+        return {}, {}
+    thickness = tree.field(source, "Thin Film Thickness")
+    if is_zero(thickness) and not tree.animated:
+        return {}, {}
+    covered = Field.of(0) if is_zero(thickness) else complement(tree.field(source, "Metallic"))
+    return ({"iridescence": covered, "iridescencethickness": thickness},
+            {"float iridescenceeta": max(tree.number(source, "Thin Film IOR"), 1.0)})
+
+
+def note_lacks(tree, source, transmission):
+    inputs = source.node.inputs
+    if "Diffuse Roughness" in inputs and not is_zero(tree.field(source, "Diffuse Roughness")):
+        tree.note(source, "its ground is Lambert's, without diffuse roughness")
+    if "Transmission Roughness" in inputs and not is_zero(transmission) and not is_zero(tree.field(source, "Transmission Roughness")):
+        tree.note(source, "what passes is as rough as what is mirrored")
+    for name in ("Coat Normal", "Clearcoat Normal", "Tangent"):
+        if name in inputs and source.input(name).source():
+            tree.note(source, f"its {name} is left out")
 
 
 def gloss(tree, source, level, transmission, eta, new):
@@ -87,7 +154,7 @@ def index(mirrored):
 def sheen(tree, source, new):
     if new:
         return product(tree.field(source, "Sheen Tint"), tree.field(source, "Sheen Weight"))
-    return tree.field(source, "Sheen")
+    return product(tree.field(source, "Sheen"), hue_by(tree.field(source, "Base Color"), tree.field(source, "Sheen Tint")))
 
 
 def scaled(field, factor):

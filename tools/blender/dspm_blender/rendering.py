@@ -5,6 +5,7 @@ from .export_frames import export_frames
 from .passes import combined, lacking, passes, picture
 from .process import Run, find_program
 from .render_folder import RenderFolder
+from .versions import fill
 
 
 class Rendering:
@@ -110,10 +111,10 @@ class Rendering:
     def _fill(self, result, exr, shown):
         """`shown` is what Combined becomes."""
         layer = result.layers[0]
-        layer.passes["Combined"].rect.foreach_set(combined(shown))
+        fill(layer.passes["Combined"].rect, combined(shown))
         for each in self.passes:
-            layer.passes[each.name].rect.foreach_set(
-                picture(exr, each.channels, len(each.letters)) if each.output else combined(exr))
+            fill(layer.passes[each.name].rect,
+                 picture(exr, each.channels, len(each.letters)) if each.output else combined(exr))
 
     def _name_mattes(self, result, exr):
         """What Blender's Cryptomatte node knows of names; the passes are called after the view layer."""

@@ -11,6 +11,7 @@ from .objects import Objects, instance_key
 from .strands import curves_strands, hair_systems, particle_strands
 from .textures import Textures, file_name
 from .variations import Variations
+from .versions import VIEWS
 from .world import World
 
 
@@ -48,7 +49,7 @@ class SceneExport:
                 self.objects.see(frame, instance, self.variations.block(instance))
             elif object.type == "CURVES":
                 self._see_hair(frame, instance, object.name, object.active_material, curves_strands(object.data))
-            elif object.type in {"VOLUME", "POINTCLOUD", "GPENCIL"}:
+            elif object.type in {"VOLUME", "POINTCLOUD", "GPENCIL", "GREASEPENCIL"}:
                 self.notes.add(f'object "{object.name}": {object.type.lower()} is left out')
         self.variations.see(frame, self.materials)
 
@@ -57,6 +58,9 @@ class SceneExport:
         object = (instance.parent if instance.is_instance else instance.object).original
         if object.is_holdout or object.holdout_get(view_layer=layer):
             self.notes.add(f'object "{object.name}": a holdout is an object as others are')
+        linking = getattr(object, "light_linking", None)  # since Blender 4
+        if linking and (linking.receiver_collection or linking.blocker_collection):
+            self.notes.add(f'object "{object.name}": light linking is left out: it lights everything, and everything casts shadows')
         if object.indirect_only_get(view_layer=layer):
             self.notes.add(f'object "{object.name}": the camera sees it, though it is for indirect light only')
 
@@ -89,6 +93,7 @@ def folder(path):
 def head(scene, settings, frames, path):
     """What stands before the camera."""
     render = scene.render
+    yield from seen_as(scene.view_settings)
     if frames > 1:
         yield f'Frames {frames} "float fps" {render.fps / render.fps_base:g}'
     yield str(settings.integrator_directive())
@@ -100,6 +105,15 @@ def head(scene, settings, frames, path):
     if render.use_border:
         film["integer pixelbounds"] = border(render, film["integer xresolution"], film["integer yresolution"])
     yield str(Directive("Film", "rgb").with_params(film))
+
+
+def seen_as(view):
+    """Images are linear; this is the view under which they look as in Blender."""
+    name = VIEWS.get((view.view_transform, view.look))
+    as_named = f"{view.view_transform}, {view.look}" if view.look != "None" else view.view_transform
+    exposure = f" --exposure {view.exposure:g}" if view.exposure else ""
+    gamma = f", and a gamma of {view.gamma:g}, which dspm has not" if view.gamma != 1 else ""
+    yield f"# Blender's view: {as_named}" + (f"; dspm's: --view {name}{exposure}{gamma}" if name else ", which dspm has not")
 
 
 def border(render, width, height):

@@ -3,7 +3,7 @@ from dataclasses import dataclass, field, replace
 
 from .fields import Field, is_one, is_zero, product
 
-COLOURS = {"basecolor", "reflectance", "transmittance", "specularcolor", "sheen", "emission", "tint", "mfp"}
+COLOURS = {"eta", "k", "basecolor", "reflectance", "transmittance", "specularcolor", "sheen", "emission", "tint", "mfp"}
 
 
 @dataclass(frozen=True)

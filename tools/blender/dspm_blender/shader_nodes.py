@@ -1,7 +1,7 @@
 """Each shader node and what stands for it."""
 from dataclasses import replace
 
-from .fields import Field, complement, is_one, is_zero, product, total
+from .fields import Field, complement, is_one, is_zero, product, together, total
 from .principled_node import principled
 from .shader import HOLE, Shader, black, diffuse
 from .subsurface import body
@@ -19,10 +19,38 @@ def glossy(tree, source):
 
 
 def anisotropic(tree, source):
-    turned = tree.field(source, "Rotation")
     shader = glossy(tree, source)
     return replace(shader, fields=shader.fields | {"anisotropy": tree.field(source, "Anisotropy"),
-                                                   "anisotropyrotation": turned.with_values(turned.values * 360)})
+                                                   "anisotropyrotation": turned(tree, source)})
+
+
+def metallic(tree, source):
+    """Since Blender 4.3."""
+    if source.node.fresnel_type == "PHYSICAL_CONDUCTOR" and is_zero(tree.field(source, "Anisotropy")):
+        rough = tree.field(source, "Roughness")
+        return Shader("conductor", {"eta": tree.field(source, "IOR"), "k": tree.field(source, "Extinction"),
+                                    "roughness": product(rough, rough)}, {"bool remaproughness": False} | tree.relief(source))
+    if source.node.fresnel_type == "PHYSICAL_CONDUCTOR":
+        tree.note(source, "its colour is what it mirrors straight on")
+        colour = mirrored_straight_on(tree.field(source, "IOR"), tree.field(source, "Extinction"))
+    else:
+        colour = tree.field(source, "Base Color")
+        if not is_one(tree.field(source, "Edge Tint")):
+            tree.note(source, "it mirrors white at grazing angles")
+    return Shader("principled", {"basecolor": colour, "metallic": Field.of(1), "roughness": tree.field(source, "Roughness"),
+                                 "anisotropy": tree.field(source, "Anisotropy"),
+                                 "anisotropyrotation": turned(tree, source)}, tree.relief(source))
+
+
+def mirrored_straight_on(eta, k):
+    (n, k), leader = together([eta, k])
+    return leader.with_values(((n - 1) ** 2 + k**2) / ((n + 1) ** 2 + k**2))
+
+
+def turned(tree, source):
+    """In degrees."""
+    turn = tree.field(source, "Rotation")
+    return turn.with_values(turn.values * 360)
 
 
 def glass(tree, source):
@@ -53,7 +81,11 @@ def transparent(tree, source):
 
 
 def velvet(tree, source):
-    return Shader("principled", {"basecolor": Field.of(0), "specular": Field.of(0), "sheen": tree.field(source, "Color")})
+    """Velvet, and Sheen, which took its place."""
+    fields = {"basecolor": Field.of(0), "specular": Field.of(0), "sheen": tree.field(source, "Color")}
+    if "Roughness" in source.node.inputs:
+        fields["sheenroughness"] = tree.field(source, "Roughness")
+    return Shader("principled", fields)
 
 
 def subsurface(tree, source):
@@ -119,7 +151,7 @@ def shining(tree, source, shader, light):
 
 SHADERS = {
     "ShaderNodeBsdfPrincipled": principled, "ShaderNodeBsdfDiffuse": diffuse_node, "ShaderNodeBsdfGlossy": glossy,
-    "ShaderNodeBsdfAnisotropic": anisotropic, "ShaderNodeBsdfGlass": glass, "ShaderNodeBsdfRefraction": refraction,
+    "ShaderNodeBsdfAnisotropic": anisotropic, "ShaderNodeBsdfMetallic": metallic, "ShaderNodeBsdfGlass": glass, "ShaderNodeBsdfRefraction": refraction,
     "ShaderNodeBsdfTranslucent": translucent, "ShaderNodeBsdfTransparent": transparent, "ShaderNodeBsdfVelvet": velvet,
     "ShaderNodeBsdfSheen": velvet, "ShaderNodeSubsurfaceScattering": subsurface, "ShaderNodeEmission": emission,
     "ShaderNodeBsdfHair": hair, "ShaderNodeBsdfHairPrincipled": hair, "ShaderNodeMixShader": mix, "ShaderNodeAddShader": add,

@@ -1,4 +1,8 @@
-"""What Blender calls otherwise since version 4. The names of 4 are written by its manual for 4.3; tried is 3.4."""
+"""What is otherwise since Blender 4. Tried are 3.4 and 4.3."""
+
+import math
+
+import bpy
 
 PRINCIPLED = {  # dspm's parameter: before and since
     "basecolor": ("Base Color", "Base Color"),
@@ -13,8 +17,23 @@ PRINCIPLED = {  # dspm's parameter: before and since
     "emission": ("Emission", "Emission Color"),
     "subsurface": ("Subsurface", "Subsurface Weight"),
 }
+# An area light of power P and area A has the radiance P / (this A).
+POWER_OF_AREA = math.pi if bpy.app.version >= (4, 0) else 4
 RANDOM_WALK_BY_COLOUR = ("RANDOM_WALK", "RANDOM_WALK_SKIN")
 ENCODINGS = {"Linear": "linear", "Linear Rec.709": "linear", "Non-Color": "linear", "Raw": "linear", "sRGB": "sRGB"}
+
+
+# View transforms and looks, and what dspm calls them.
+VIEWS = {("Standard", "None"): "standard", ("Khronos PBR Neutral", "None"): "neutral", ("AgX", "None"): "agx",
+         ("AgX", "AgX - Base Contrast"): "agx", ("AgX", "AgX - Punchy"): "agx-punchy", ("Raw", "None"): "raw"}
+
+
+def fill(rect, pixels):
+    """Blender 3 takes an array of pixels for those of a pass, later ones an array of all their numbers."""
+    try:
+        rect.foreach_set(pixels)
+    except TypeError:
+        rect.foreach_set(pixels.ravel())
 
 
 def is_new(principled):
