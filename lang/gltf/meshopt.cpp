@@ -1,6 +1,7 @@
 #include "dspm/lang/gltf/meshopt.h"
 
 #ifdef DSPM_MESHOPTIMIZER
+#include <fmt/format.h>
 #include <meshoptimizer.h>
 #endif
 
@@ -42,8 +43,8 @@ std::string expand_meshopt(const Value& how, std::string_view bytes) {
   else if (mode == "INDICES" && (stride == 2 || stride == 4))
     error = meshopt_decodeIndexSequence(data.data(), count, stride, from, bytes.size());
   if (error != 0)
-    how.fail("its data cannot be expanded: it is damaged, or newer than meshoptimizer " +
-             std::to_string(MESHOPTIMIZER_VERSION / 1000) + "." + std::to_string(MESHOPTIMIZER_VERSION / 10 % 100));
+    how.fail(fmt::format("its data cannot be expanded: it is damaged, or newer than meshoptimizer {}.{}",
+                         MESHOPTIMIZER_VERSION / 1000, MESHOPTIMIZER_VERSION / 10 % 100));
   filter(how, data, count, stride);
   return data;
 }
