@@ -7,7 +7,11 @@ managers=(apt dnf pacman brew)
 rows() {  # manager, purposes
   awk -v manager="$1" -v purposes=" ${*:2} " '
     $1 == "#" && $2 == "for" { for (i = 2; i <= NF; ++i) if ($i == manager) column = i - 1 }
-    $1 !~ /^#/ && column && $column != "-" && index(purposes, " " $1 " ") && !seen[$column]++ { print $column, $2 }
+    $1 ~ /^#/ || !column || $column == "-" { next }
+    {
+      count = split($1, purpose, ",")
+      for (i = 1; i <= count; ++i) if (index(purposes, " " purpose[i] " ") && !seen[$column]++) print $column, $2
+    }
   ' tools/packages.txt
 }
 
