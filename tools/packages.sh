@@ -22,7 +22,10 @@ packages() {  # manager, purposes
 manager_here() {
   local manager
   for manager in "${managers[@]}"; do
-    command -v "${manager/#apt/apt-get}" >/dev/null && echo "$manager" && return
+    if command -v "${manager/#apt/apt-get}" >/dev/null; then
+      echo "$manager"
+      return
+    fi
   done
 }
 
@@ -97,7 +100,7 @@ install_with_apt() {  # missing packages
   as_root apt-get update -qq
   refuse_old < <(beside "$(rows apt build)" "$(on_offer $(packages apt build))")
   mapfile -t known < <(on_offer "$@" | cut -d ' ' -f 1)
-  (($# == ${#known[@]})) || echo "dev: apt has no $(printf '%s\n' "$@" | grep -vxF "$(printf '%s\n' "${known[@]}")" | xargs)" >&2
+  (($# == ${#known[@]})) || echo "dev: apt has no $(printf '%s\n' "$@" | grep -vxF "$(printf '%s\n' "${known[@]}")" | tr '\n' ' ')" >&2
   ((${#known[@]})) || return 0
   echo "dev: installing ${known[*]}"
   as_root apt-get install -qq --no-install-recommends -o Dpkg::Use-Pty=0 "${known[@]}" >/dev/null
