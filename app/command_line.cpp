@@ -12,9 +12,11 @@
 #include "dspm/app/run/render.h"
 #include "dspm/app/run/signals.h"
 #include "dspm/app/tasks/catalogue.h"
+#include "dspm/app/tasks/completion.h"
 #include "dspm/app/tasks/doctor.h"
 #include "dspm/app/tasks/farm.h"
 #include "dspm/app/tasks/look_at_images.h"
+#include "dspm/app/tasks/manual_page.h"
 #include "dspm/app/tasks/merge.h"
 #include "dspm/app/tasks/new_plugin.h"
 #include "dspm/app/tasks/plan.h"
@@ -52,6 +54,8 @@ int run(const Options& options, Link* others) {
     case Task::list: return print_data(list_plugins()), 0;
     case Task::describe: return print_data(describe_plugins(options.described)), 0;
     case Task::doctor: return check_installation(options);
+    case Task::completion: return print_data(completion_for(options.shell)), 0;
+    case Task::manual_page: return print_data(manual_page()), 0;
     case Task::new_plugin: return print_data(new_plugin(options.created[0], options.created[1], options.created[2])), 0;
     case Task::format: return print_data(formatted(options.scenes)), 0;
     case Task::upgrade: {

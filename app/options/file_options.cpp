@@ -52,7 +52,8 @@ void add(CLI::App& app, Options& o) {
       ->type_name("FILE");
   app.add_flag("--quiet", o.quiet, "only errors and warnings");
   app.add_flag("--stats{table}", o.stats,
-               "print a table of times, counts and what more threads would do; with FILE: as JSON");
+               "print a table of times, counts and what more threads would do; with FILE: as JSON")
+      ->type_name("[=FILE]");
 }
 
 void check_outfile(const Options& o) {

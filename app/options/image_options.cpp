@@ -14,7 +14,7 @@ constexpr std::string_view kOwn = "own";
 
 void add_precision(CLI::App& app, const char* name, bool half, std::vector<std::string>& outputs, Options& o,
                    const std::string& sentence) {
-  app.add_flag(name, sentence)->each([&o, &outputs, half](const std::string& text) {
+  app.add_flag(name, sentence)->type_name("[=NAMES]")->each([&o, &outputs, half](const std::string& text) {
     if (text == kAll)
       o.half = half;
     else
@@ -26,10 +26,6 @@ Denoiser denoiser_of(const std::string& name) {
   if (name == kOwn) return Denoiser::own;
   if (name == "oidn") return Denoiser::oidn;
   throw UsageError("--denoise=" + name + ": it is oidn, or nothing for dspm's own filter");
-}
-
-void replace(std::string& text, std::string_view from, std::string_view to) {
-  for (std::size_t at = text.find(from); at != text.npos; at = text.find(from)) text.replace(at, from.size(), to);
 }
 
 }  // namespace
@@ -58,15 +54,9 @@ void add_image_options(CLI::App& app, Options& o) {
       ->type_name("NAMES");
   app.add_flag("--aov-files", o.aov_files, "them in files of their own: ball.N.0001.exr");
   const std::string denoise = "also write images with less noise, ball.denoised.0001.exr; oidn: by oidnDenoise";
-  app.add_flag("--denoise{own}", denoise)->each([&o](const std::string& name) { o.denoiser = denoiser_of(name); });
-}
-
-void show_optional_values(std::string& help) {
-  // With the spaces that the columns need to stay in line.
-  replace(help, "{table}", "[=FILE]");
-  replace(help, "{all}   ", "[=NAMES]");
-  replace(help, "{own}  ", " [oidn]");
-  replace(help, "{8780} ", " [PORT]");
+  app.add_flag("--denoise{own}", denoise)->type_name(" [oidn]")->each([&o](const std::string& name) {
+    o.denoiser = denoiser_of(name);
+  });
 }
 
 }  // namespace dspm

@@ -8,7 +8,5 @@
 namespace dspm {
 
 void add_image_options(CLI::App& app, Options& options);
-/// Shows optional values as they are typed: CLI11 shows them by their defaults.
-void show_optional_values(std::string& help);
 
 }  // namespace dspm

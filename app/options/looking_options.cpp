@@ -35,12 +35,12 @@ void add(CLI::App& app, Options& o) {
            "put white, black or #rrggbb behind everything that is shown, with the same numbers under every view",
            [&](const std::string& text) { set_background(o, text); });
   app.add_option("--png-bits", o.view.png_bits, "8 or 16 bits per channel of PNGs (default: 8)")
-      ->check(CLI::IsMember({8, 16}).description(""))
+      ->check(one_of({"8", "16"}))
       ->type_name("N");
   app.add_option_function<std::string>(
          "--png-space", [&](const std::string& name) { o.view.display_p3 = name == "display-p3"; },
          "colour space of PNGs: srgb (the default) or display-p3")
-      ->check(CLI::IsMember({"srgb", "display-p3"}).description(""))
+      ->check(one_of({"srgb", "display-p3"}))
       ->type_name("NAME");
   add_count(app, "--sheet-tile", o.sheet.tile_width, 1, kMostPixels, "width of each image on the contact sheet");
   add_count(app, "--sheet-columns", o.sheet.columns, 1, kMostPixels,
@@ -54,7 +54,7 @@ void add(CLI::App& app, Options& o) {
       ->type_name("HOST:PORT");
   app.add_flag("--preview", o.preview, "show the contact sheet in the terminal, if it knows images (kitty, sixel)");
   app.add_option("--progress", o.progress, "bar, lines, json (for programs, on stderr) or none")
-      ->check(CLI::IsMember({"bar", "lines", "json", "none"}).description(""))
+      ->check(one_of({"bar", "lines", "json", "none"}))
       ->type_name("KIND");
   app.add_flag_callback("--compare", [&o] { o.task = Task::compare; })
       ->description("do not render, print how far the second image is from the first; -o: in false colours");

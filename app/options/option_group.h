@@ -1,9 +1,12 @@
 // Options that belong together. Each group has a file of this room; options.cpp lists them.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "dspm/app/options/options.h"
 
@@ -20,6 +23,11 @@ extern const OptionGroup scene_options, task_options, work_options, file_options
 /// Rejects "", which would otherwise count as an option that is not given.
 inline const CLI::Validator kNamesAFile(
     [](const std::string& name) { return name.empty() ? "a file's name is missing" : ""; }, "");
+
+/// Accepts these values only, and names them to facts_of().
+inline CLI::Validator one_of(const std::vector<std::string>& choices) {
+  return CLI::IsMember(choices).description("").name(fmt::format("{}", fmt::join(choices, "|")));
+}
 
 using ReadText = std::function<void(const std::string&)>;
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "dspm/app/options/image_options.h"
+#include "dspm/app/options/option_facts.h"
 #include "dspm/app/options/option_group.h"
 #include "dspm/app/options/option_values.h"
 #include "dspm/app/tasks/version_text.h"
@@ -24,13 +25,8 @@ constexpr const OptionGroup* kGroups[] = {&scene_options, &task_options,    &wor
 
 void add_serve(CLI::App& app, std::string& address) {
   app.add_flag("--serve{8780}", address,
-               "show all frames in a browser while they get better, at 127.0.0.1; other addresses: 0.0.0.0:8780");
-}
-
-std::string help_of(const CLI::App& app) {
-  std::string help = app.help();
-  show_optional_values(help);
-  return help;
+               "show all frames in a browser while they get better, at 127.0.0.1; other addresses: 0.0.0.0:8780")
+      ->type_name(" [PORT]");
 }
 
 /// Joins values to flags that may have one: a port after --serve, and oidn after --denoise.
@@ -111,14 +107,20 @@ std::string unexpected(const CLI::App& app) {
 
 namespace {
 
-Options parse_onto(Options options, const std::vector<std::string>& arguments, bool are_all) {
-  CLI::App app(kDescription, "dspm");
+/// `page` gets the address of --serve, which the other options may forbid.
+void add_all(CLI::App& app, Options& options, std::string& page) {
   app.get_formatter()->column_width(26);
   app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);  // so scripts can append to a line
+  app.set_help_flag("-h,--help", "print this list");
   app.set_version_flag("--version", version_text, "print the version, and how it was built");
   for (const OptionGroup* group : kGroups) group->add(app, options);
-  std::string page;
   add_serve(app, page);
+}
+
+Options parse_onto(Options options, const std::vector<std::string>& arguments, bool are_all) {
+  CLI::App app(kDescription, "dspm");
+  std::string page;
+  add_all(app, options, page);
 
   std::vector<std::string> words = with_values_of_flags(canonical_spelling(arguments, long_names(app)));
   std::reverse(words.begin(), words.end());  // as CLI11 wants them
@@ -145,6 +147,14 @@ Options parse_onto(Options options, const std::vector<std::string>& arguments, b
 }  // namespace
 
 Options parse_options(const std::vector<std::string>& arguments) { return parse_onto({}, arguments, true); }
+
+std::vector<OptionFacts> all_options() {
+  Options options;
+  std::string page;
+  CLI::App app(kDescription, "dspm");
+  add_all(app, options, page);
+  return facts_of(app);
+}
 
 Options with_scene_of_parts(Options merge, const std::vector<std::string>& words_of_part) {
   const Options part = parse_options(words_of_part);

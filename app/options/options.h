@@ -23,6 +23,8 @@ enum class Task {
   list,
   describe,
   doctor,
+  completion,
+  manual_page,
   list_variations,
   to_dsc,
   new_plugin,
@@ -40,6 +42,7 @@ struct Options : Choices, OutputSettings, CheckpointSettings, OnlookerSettings {
   std::vector<std::string> modules;  // files with plugins
   std::string sandbox;               // the directory outside of which no file is touched; empty: no sandbox
   std::string described;             // [kind:]name
+  std::string shell;                 // to complete command lines in
   Part frame_part;                   // of the frames
   std::vector<std::string> parts;    // checkpoints to merge
   int plan = 0;                      // machines to plan for
@@ -68,6 +71,9 @@ struct Information {
   std::string text;
 };
 
+struct OptionFacts;
+/// Returns what --help knows of each option.
+std::vector<OptionFacts> all_options();
 /// Throws UsageError or Information.
 Options parse_options(const std::vector<std::string>& arguments);
 /// Returns the options of a merge with what its parts rendered, by the words of their command line, unless it names a

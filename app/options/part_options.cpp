@@ -33,7 +33,7 @@ void add(CLI::App& app, Options& o) {
   app.add_option_function<std::string>(
          "--farm", [&](const std::string& kind) { o.task = Task::farm, o.farm = kind; },
          "do not render, print a job for a farm: the parts of this render and their merge; slurm, openjd or flamenco")
-      ->check(CLI::IsMember(farms()).description(""))
+      ->check(one_of(farms()))
       ->type_name("KIND");
   add_count(app, "--block", o.block, 1, 1'000'000,
             "with mpirun: iterations that a machine does in one go, before they are added up (default: 4)");

@@ -1,4 +1,7 @@
 // The options that say what is rendered, and by which plugins.
+#include <algorithm>
+#include <iterator>
+
 #include "dspm/app/options/option_group.h"
 
 namespace dspm {
@@ -27,14 +30,14 @@ void add(CLI::App& app, Options& o) {
       ->type_name("NAME");
   app.add_option("--studio", o.studio,
                  "camera, softboxes and ground for a glTF file: auto (what it lacks), on (whatever it has) or off")
-      ->check(CLI::IsMember({"auto", "on", "off"}).description(""))
+      ->check(one_of({"auto", "on", "off"}))
       ->type_name("KIND");
   CLI::Option* const hdr = app.add_option("--hdr", o.hdr, "a picture of the sky that lights a glTF file");
   hdr->check(kNamesAFile)->type_name("FILE");
   app.add_option("--hdr-backdrop", o.hdr_backdrop,
                  "how the camera sees that picture: shown (the default), blurred, or hidden behind a plain grey")
       ->needs(hdr)
-      ->check(CLI::IsMember({"shown", "blurred", "hidden"}).description(""))
+      ->check(one_of({"shown", "blurred", "hidden"}))
       ->type_name("KIND");
   app.add_flag("--explain", o.explain,
                "say what is shared between frames and what is not, and why; and where photons start");
@@ -44,10 +47,14 @@ void add(CLI::App& app, Options& o) {
   app.add_option("--accel", o.accel, "the tree for ray queries: two-level, or bruteforce for tests")->type_name("NAME");
 }
 
+bool needs_scene(Task task) {
+  constexpr Task kOthers[] = {Task::list,   Task::describe,   Task::new_plugin, Task::merge,
+                              Task::doctor, Task::completion, Task::manual_page};
+  return std::find(std::begin(kOthers), std::end(kOthers), task) == std::end(kOthers);
+}
+
 void check(const Options& o) {
-  const bool needs_scene = o.task != Task::list && o.task != Task::describe && o.task != Task::new_plugin &&
-                           o.task != Task::merge && o.task != Task::doctor;
-  if (needs_scene && o.scenes.empty()) throw UsageError("no scene was given (dspm --help says how)");
+  if (needs_scene(o.task) && o.scenes.empty()) throw UsageError("no scene was given (dspm --help says how)");
   for (const std::string& define : o.defines)
     if (define.find('=') == define.npos || define.front() == '=')
       throw UsageError("-D " + define + ": expected name=value");

@@ -1,5 +1,6 @@
 // The options that say what to do instead of rendering.
 #include "dspm/app/options/option_group.h"
+#include "dspm/app/tasks/completion.h"
 
 namespace dspm {
 namespace {
@@ -15,6 +16,12 @@ void add(CLI::App& app, Options& o) {
        "do not render, write a glTF file as a .dsc, with its meshes and pictures in a folder beside it");
   task("--list", Task::list, "print the names of all plugins");
   task("--doctor", Task::doctor, "check the installation: what works, what is missing, and what would bring it");
+  task("--man-page", Task::manual_page, "print the manual page, for man");
+  app.add_option_function<std::string>(
+         "--completion", [&o](const std::string& shell) { o.task = Task::completion, o.shell = shell; },
+         "print a script that makes a shell complete dspm's options: bash, zsh or fish")
+      ->check(one_of(completing_shells()))
+      ->type_name("SHELL");
   task("--list-variations", Task::list_variations, "print the names of the scene's variations");
   task("--relight", Task::relight,
        "do not render, mix images' light groups again: dspm --relight a.exr \"key 0.5 [1 .8 .6]\" -o b.exr");

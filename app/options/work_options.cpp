@@ -16,7 +16,7 @@ void add(CLI::App& app, Options& o) {
       ->type_name("N");
   app.add_option("--noise", o.noise,
                  "of frames: frozen (all share it) or perframe (not those in which the camera has moved)")
-      ->check(CLI::IsMember({"frozen", "perframe"}).description(""))
+      ->check(one_of({"frozen", "perframe"}))
       ->type_name("KIND");
   add_count(app, "--iterations,--spp", o.iterations, 0, kMaxCount, "camera paths per pixel; 0: until stopped");
   add_count(app, "--photons", o.photons, 1, kMaxCount, "photon paths per iteration");

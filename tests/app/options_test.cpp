@@ -158,7 +158,9 @@ TEST(Options, HelpAndVersionAreInformation) {
     FAIL();
   } catch (const Information& information) {
     EXPECT_NE(information.text.find("--time-limit TIME"), std::string::npos);
-    EXPECT_NE(information.text.find("--stats[=FILE]"), std::string::npos);
+    for (const char* flag : {"  --stats[=FILE]         ", "  --half[=NAMES]         ", "  --denoise [oidn]       ",
+                             "  --serve [PORT]         "})
+      EXPECT_NE(information.text.find(flag + std::string(" ")), std::string::npos) << flag << information.text;
   }
   try {
     parse_options({"--version"});
