@@ -1,4 +1,5 @@
-# The installed package: the program, libdspm, the headers for modules, and find_package(dspm) with dspm_add_plugin.
+# The installed package: the program, libdspm, the headers for modules, find_package(dspm) with dspm_add_plugin, and what
+# desktops and shells find.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -30,6 +31,10 @@ install(EXPORT dspm NAMESPACE dspm:: FILE dspmTargets.cmake DESTINATION ${packag
 configure_package_config_file(cmake/dspmConfig.cmake.in dspmConfig.cmake INSTALL_DESTINATION ${package_folder}
   PATH_VARS CMAKE_INSTALL_BINDIR CMAKE_INSTALL_INCLUDEDIR)
 write_basic_package_version_file(dspmConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+file(RELATIVE_PATH prefix_from_pc /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+list(JOIN dspm_code_options " " flags)
+configure_file(cmake/dspm.pc.in dspm.pc @ONLY)
+install(FILES ${CMAKE_BINARY_DIR}/dspm.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT Development)
 install(FILES ${CMAKE_BINARY_DIR}/dspmConfig.cmake ${CMAKE_BINARY_DIR}/dspmConfigVersion.cmake
   cmake/public_headers.cmake cmake/interface_digest.cmake
   DESTINATION ${package_folder} COMPONENT Development)
@@ -51,17 +56,34 @@ add_custom_command(OUTPUT ${addon} DEPENDS ${addon_sources} WORKING_DIRECTORY ${
 add_custom_target(blender_addon ALL DEPENDS ${addon})
 install(FILES ${addon} DESTINATION ${CMAKE_INSTALL_DATADIR}/dspm)
 
-# cpack makes a .deb that brings its dependencies, as the linked libraries' packages name them.
-set(CPACK_GENERATOR DEB)
-set(CPACK_PACKAGE_NAME dspm)
-set(CPACK_PACKAGE_CONTACT "The authors of dspm")
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Renders all frames of a scene together, sharing what does not differ between them")
-set(CPACK_RESOURCE_FILE_LICENSE ${CMAKE_SOURCE_DIR}/LICENSE)
-set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-set(CPACK_STRIP_FILES ON)
-set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR})
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, make, ffmpeg, openmpi-bin")
-include(CPack)
+# What the program writes about itself.
+set(manual ${CMAKE_BINARY_DIR}/dspm.1)
+add_custom_command(OUTPUT ${manual} DEPENDS dspm COMMAND dspm --man-page > ${manual})
+install(FILES ${manual} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+foreach(shell_and_file bash=bash-completion/completions/dspm zsh=zsh/vendor-completions/_dspm
+    fish=fish/vendor_completions.d/dspm.fish)
+  string(REPLACE "=" ";" shell_and_file ${shell_and_file})
+  list(GET shell_and_file 0 shell)
+  list(GET shell_and_file 1 file)
+  get_filename_component(folder ${file} DIRECTORY)
+  get_filename_component(name ${file} NAME)
+  set(completion ${CMAKE_BINARY_DIR}/completion/${shell}/${name})
+  file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/completion/${shell})
+  add_custom_command(OUTPUT ${completion} DEPENDS dspm COMMAND dspm --completion ${shell} > ${completion})
+  list(APPEND completions ${completion})
+  install(FILES ${completion} DESTINATION ${CMAKE_INSTALL_DATADIR}/${folder})
+endforeach()
+add_custom_target(self_description ALL DEPENDS ${manual} ${completions})
+
+# What desktops read.
+install(FILES cmake/package/dspm.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
+install(FILES cmake/package/dspm.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages)
+install(FILES cmake/package/dspm.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
+
+# All that is installed.
+add_custom_target(packaged DEPENDS dspm blender_addon self_description)
+foreach(part dspm_mpi python_stubs)
+  if(TARGET ${part})
+    add_dependencies(packaged ${part})
+  endif()
+endforeach()

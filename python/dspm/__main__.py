@@ -6,10 +6,14 @@ import shutil
 import sys
 
 
+# In a wheel, in the build, in an unpacked tarball, and installed: so many folders up, and from there.
+PLACES = [(0, "bin/dspm"), (2, "dspm"), (2, "bin/dspm"), (4, "bin/dspm")]
+
+
 def program():
     folders = pathlib.Path(__file__).resolve().parents
-    in_wheel, built, installed = folders[0] / "bin/dspm", folders[2] / "dspm", folders[4] / "bin/dspm"
-    return next((str(file) for file in (in_wheel, built, installed) if file.is_file()), shutil.which("dspm"))
+    files = [folders[up] / name for up, name in PLACES if up < len(folders)]
+    return next((str(file) for file in files if file.is_file()), shutil.which("dspm"))
 
 
 def main():
