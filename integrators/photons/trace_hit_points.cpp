@@ -1,6 +1,7 @@
 #include "dspm/integrators/photons/trace_hit_points.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
@@ -19,8 +20,15 @@
 namespace dspm {
 namespace {
 
-constexpr int kTileSide = 32;
+constexpr int kTileSide = 16;
 constexpr int kPilotsAcross = 8;  // of a tile of few pixels: they are short work, for many threads
+
+/// Learning looks at every pixel of a small picture, tile by tile: there, large tiles keep neighbours together.
+int tile_side(const PixelRect& crop) {
+  constexpr std::int64_t kSmall = 1 << 13;
+  return std::int64_t{crop.width()} * crop.height() < kSmall ? 2 * kTileSide : kTileSide;
+}
+
 /// The way in which a path ends in a hit point in some of its frames.
 struct End {
   FrameSet frames;
@@ -264,13 +272,13 @@ class HitPointTracer {
 }  // namespace
 
 std::size_t hit_point_tile_count(const PixelRect& crop) {
-  return static_cast<std::size_t>(tile_count(crop, kTileSide));
+  return static_cast<std::size_t>(tile_count(crop, tile_side(crop)));
 }
 
 std::vector<HitPointTile> trace_hit_points(const Scene& scene, const RenderSettings& render,
                                            const HitPointSettings& settings, std::uint64_t iteration,
                                            std::vector<HitPointTile> reuse, int stride) {
-  const int side = stride > 1 ? kPilotsAcross * stride : kTileSide;
+  const int side = stride > 1 ? kPilotsAcross * stride : tile_side(render.crop);
   reuse.resize(static_cast<std::size_t>(tile_count(render.crop, side)));
   parallel_for(static_cast<std::int64_t>(reuse.size()), 1, [&](std::int64_t t) {
     HitPointTile& tile = reuse[static_cast<std::size_t>(t)];
