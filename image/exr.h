@@ -25,7 +25,8 @@ std::optional<ExrCompression> exr_compression(std::string_view name);
 /// The layout of a file's pixels.
 struct ExrFormat {
   ExrCompression compression = ExrCompression::zip;
-  int tile = 0;  // the side of tiles in pixels; 0: rows
+  int tile = 0;        // the side of tiles in pixels; 0: rows
+  bool alone = false;  // compressed by the calling thread, as others write images at the same time
 };
 
 /// The contents of an image file besides the pixels. The names must not be those of OpenEXR's own attributes.

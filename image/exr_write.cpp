@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -137,8 +138,9 @@ std::string encode(std::span<const ExrLayer> layers, const ExrHeader& header, co
     else
       insert(buffer, layer, window, &layer.image->pixels.front().r);
 
-  const int threads = threads_for(window.max.y - window.min.y + 1);
-  const LibraryWork work(threads);
+  const int threads = format.alone ? 0 : threads_for(window.max.y - window.min.y + 1);
+  std::optional<LibraryWork> work;
+  if (!format.alone) work.emplace(threads);
   MemoryOutput output;
   if (format.tile > 0) {
     Imf::TiledOutputFile file(output, imf, threads);

@@ -188,8 +188,10 @@ std::vector<ExrLayer> Output::exr_layers(const std::vector<const OutputLayer*>& 
   return all;
 }
 
-void Output::write(FileFrame frame, Image radiance, const std::vector<OutputLayer>& layers,
-                   const FrameFigures& figures) {
+void Output::write(FileFrame frame, Image radiance, const std::vector<OutputLayer>& layers, const FrameFigures& figures,
+                   bool alone) {
+  ExrFormat format = layers_.exr;
+  format.alone = alone;
   const Image image = to_be_shown(std::move(radiance), layers);
   std::list<OutputLayer> parts;  // of radiance
   std::vector<const OutputLayer*> all;
@@ -198,9 +200,9 @@ void Output::write(FileFrame frame, Image radiance, const std::vector<OutputLaye
                                                layer.info, in_film_space(exposed(layer.image, job_), job_.film)})
                                          : &layer);
   ExrHeader header = this->header(frame, figures);
-  if (layers_.aov_files) write_apart(frame, all, header), all.clear();
+  if (layers_.aov_files) write_apart(frame, all, header, format), all.clear();
   const std::vector<ExrLayer> more = exr_layers(all, header);
-  write_views(frame, name(frame), image, header, more);
+  write_views(frame, name(frame), image, header, more, format);
 }
 
 void Output::write_denoised(FileFrame frame, Image radiance, const std::vector<OutputLayer>& layers,
@@ -211,7 +213,7 @@ void Output::write_denoised(FileFrame frame, Image radiance, const std::vector<O
   for (const OutputLayer& layer : layers)
     if (layer.info.name == kAlphaOutput && !layers_.aov_files) alpha.push_back(&layer);
   const std::vector<ExrLayer> more = exr_layers(alpha, header);
-  write_views(frame, denoised_name(frame), to_be_shown(std::move(radiance), layers), header, more);
+  write_views(frame, denoised_name(frame), to_be_shown(std::move(radiance), layers), header, more, layers_.exr);
 }
 
 Image Output::to_be_shown(Image radiance, const std::vector<OutputLayer>& layers) const {
@@ -222,25 +224,29 @@ Image Output::to_be_shown(Image radiance, const std::vector<OutputLayer>& layers
 }
 
 void Output::write_views(FileFrame frame, const std::filesystem::path& name, const Image& image,
-                         const ExrHeader& header, const std::vector<ExrLayer>& more) {
-  if (sheet_) sheet_->put(frame, view_.shown(image));
+                         const ExrHeader& header, const std::vector<ExrLayer>& more, const ExrFormat& format) {
+  if (sheet_) {
+    const Image shown = view_.shown(image);
+    const std::lock_guard lock(of_sheet_);
+    sheet_->put(frame, shown);
+  }
   std::exception_ptr failure;
   for (const std::filesystem::path& file : with_png(name)) try {
-      write_image(file, image, job_.film, header, view_, more, layers_.exr);
+      write_image(file, image, job_.film, header, view_, more, format);
     } catch (const WriteError&) {
       failure = std::current_exception();
     }
   if (failure) std::rethrow_exception(failure);
 }
 
-void Output::write_apart(FileFrame frame, const std::vector<const OutputLayer*>& layers,
-                         const ExrHeader& header) const {
+void Output::write_apart(FileFrame frame, const std::vector<const OutputLayer*>& layers, const ExrHeader& header,
+                         const ExrFormat& format) const {
   std::map<std::string, std::vector<const OutputLayer*>, std::less<>> files;
   for (const OutputLayer* layer : layers) files[std::string(file_label(layer->info.name))].push_back(layer);
   for (const auto& [label, own] : files) {
     ExrHeader with_manifest = header;
     const std::vector<ExrLayer> all = exr_layers(own, with_manifest);
-    write_layers(layer_file(frame, label), all, job_.film, with_manifest, layers_.exr);
+    write_layers(layer_file(frame, label), all, job_.film, with_manifest, format);
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -64,8 +65,10 @@ class Output {
   /// The most memory that writing takes.
   std::size_t bytes_while_writing() const;
   /// Writes the image of a frame of the file, given its radiance over the crop, and replaces an earlier one. Throws
-  /// WriteError, but tries its PNG anyway. The contact sheet shows the image that was written last.
-  void write(FileFrame frame, Image radiance, const std::vector<OutputLayer>& layers, const FrameFigures& figures);
+  /// WriteError, but tries its PNG anyway. The contact sheet shows the image that was written last. Several threads may
+  /// write images of different frames, `alone`: each by itself.
+  void write(FileFrame frame, Image radiance, const std::vector<OutputLayer>& layers, const FrameFigures& figures,
+             bool alone = false);
   /// Writes its second image in the same way, with no layer but alpha.
   void write_denoised(FileFrame frame, Image radiance, const std::vector<OutputLayer>& layers,
                       const FrameFigures& figures);
@@ -92,15 +95,17 @@ class Output {
   Image to_be_shown(Image radiance, const std::vector<OutputLayer>& layers) const;
   /// What is to be shown, to both; for the sheet, too.
   void write_views(FileFrame frame, const std::filesystem::path& name, const Image& image, const ExrHeader& header,
-                   const std::vector<ExrLayer>& more);
+                   const std::vector<ExrLayer>& more, const ExrFormat& format);
   /// Writes each output to a file of its own.
-  void write_apart(FileFrame frame, const std::vector<const OutputLayer*>& layers, const ExrHeader& header) const;
+  void write_apart(FileFrame frame, const std::vector<const OutputLayer*>& layers, const ExrHeader& header,
+                   const ExrFormat& format) const;
 
   const Job& job_;
   View view_;
   bool png_;
   LayerSettings layers_;
   std::optional<SheetFile> sheet_;
+  std::mutex of_sheet_;
   std::optional<Video> video_;
 };
 

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <iterator>
 #include <memory>
+#include <span>
 #include <stdexcept>
 
 #include "dspm/base/math/frames.h"
 #include "dspm/base/system/atomic_file.h"
+#include "dspm/base/system/parallel.h"
 #include "dspm/base/system/readable.h"
 #include "dspm/base/system/standard_streams.h"
 #include "dspm/image/image.h"
@@ -54,57 +57,107 @@ Results::Results(const Job& job, const World& world, const OutputSettings& setti
       faults_(messages),
       output_(job, settings, others, messages, std::move(end_wanted)) {}
 
+/// The images of a frame, from their estimation to their files.
+struct Results::FrameImages {
+  FileFrame frame;
+  Frame of_interval;
+  FrameFigures figures;
+  Image image = {}, clean = {};  // clean: with less noise; empty: none
+  std::vector<OutputLayer> layers = {};
+  std::exception_ptr failure = nullptr;
+};
+
+// As many images as there are threads, if that makes better use of them than the rows of one image: nothing else in
+// writing is worth a second thread. If memory is bounded, there is room for one.
+std::size_t Results::images_at_once(std::size_t count) const {
+  constexpr std::size_t kRoom = std::size_t{512} << 20, kRowsOfAThread = 128;
+  if (!keep_failed_ || job_.denoiser) return 1;
+  const std::size_t room = kRoom / std::max<std::size_t>(1, output_.bytes_while_writing());
+  const std::size_t at_once = std::min({count, room, static_cast<std::size_t>(thread_count())});
+  return at_once * kRowsOfAThread > static_cast<std::size_t>(job_.settings.crop.height()) ? at_once : 1;
+}
+
 void Results::write(const FrameList& interval, const Integrator& integrator, double seconds, Images images) {
   const Statistics statistics = integrator.statistics();
   report_rejections(statistics.rejections, world_, interval, job_, messages_);
   if (!settings_.images) return;
   faults_.retry();
   const std::vector<OutputInfo> outputs = asked_outputs(integrator, job_);
-  for (std::size_t j = 0; j < interval.size(); ++j) {
-    const FileFrame frame = interval[j];
-    if (!std::binary_search(job_.frames.begin(), job_.frames.end(), frame)) continue;
-    const std::filesystem::path name = output_.name(frame);
-    const auto image = std::make_shared<Image>();
-    const auto clean = std::make_shared<Image>();  // with less noise; empty: none
-    const auto layers = std::make_shared<std::vector<OutputLayer>>();
-    const auto estimate = [&] {
-      *image = integrator.estimate(static_cast<Frame>(j));
-      expect_size(*image, job_);
-      layers->clear();
-      for (const OutputInfo& output : outputs) {
-        layers->push_back({output, integrator.estimate(static_cast<Frame>(j), output.name)});
-        expect_size(layers->back().image, job_);
-        black_out_invalid(layers->back().image, output, frame, job_, messages_);
-      }
-      black_out_invalid(*image, radiance_output(), frame, job_, messages_);
-      if (images == Images::last && !job_.denoiser) output_.add_to_video(*image, *layers);
-    };
-    const auto denoise = [&] {
-      *clean = denoised(*job_.denoiser, *image, integrator, static_cast<Frame>(j), output_.denoised_name(frame));
-      if (images == Images::last) output_.add_to_video(*clean, *layers);
-    };
-    FrameFigures figures{statistics.iterations,
-                         statistics.photon.paths,
-                         seconds,
-                         std::nullopt,
-                         statistics.typical.radius_in_pixels,
-                         world_.camera_matrices(frame)};
-    if (j < statistics.errors.size()) figures.error = statistics.errors[j];
-    const auto write_image = [this, frame, image, layers, figures] { output_.write(frame, *image, *layers, figures); };
-    const auto write_clean = [this, frame, clean, layers, figures] {
-      output_.write_denoised(frame, *clean, *layers, figures);
-    };
-    // Later no integrator is left to ask for the last images.
-    const bool keep = images == Images::last && keep_failed_;
-    const WriteFaults::Failed failed = keep ? WriteFaults::Failed::kept : WriteFaults::Failed::dropped;
-    if (!faults_.attempt(name, estimate)) continue;
-    faults_.attempt(name, write_image, failed);
-    if (job_.denoiser && faults_.attempt(output_.denoised_name(frame), denoise))
-      faults_.attempt(output_.denoised_name(frame), write_clean, failed);
+  std::vector<Frame> wanted;
+  for (std::size_t j = 0; j < interval.size(); ++j)
+    if (std::binary_search(job_.frames.begin(), job_.frames.end(), interval[j]))
+      wanted.push_back(static_cast<Frame>(j));
+  const std::size_t at_once = std::max<std::size_t>(1, images_at_once(wanted.size()));
+  for (std::size_t begin = 0; begin < wanted.size(); begin += at_once) {
+    std::vector<std::shared_ptr<FrameImages>> some;
+    for (const Frame j : std::span(wanted).subspan(begin, std::min(at_once, wanted.size() - begin))) {
+      const auto at = static_cast<std::size_t>(j);
+      const FileFrame frame = interval[at];
+      const auto of_frame = std::make_shared<FrameImages>(
+          FrameImages{frame, j,
+                      FrameFigures{statistics.iterations, statistics.photon.paths, seconds, std::nullopt,
+                                   statistics.typical.radius_in_pixels, world_.camera_matrices(frame)}});
+      if (at < statistics.errors.size()) of_frame->figures.error = statistics.errors[at];
+      if (faults_.attempt(output_.name(frame), [&] { estimate(*of_frame, integrator, outputs, images); }))
+        some.push_back(of_frame);
+    }
+    write_files(some, integrator, images);
   }
   faults_.attempt(settings_.contact_sheet, [&] { output_.write_contact_sheet(); });
   std::set_intersection(interval.begin(), interval.end(), job_.frames.begin(), job_.frames.end(),
                         std::inserter(written_, written_.end()));
+}
+
+void Results::estimate(FrameImages& of_frame, const Integrator& integrator, const std::vector<OutputInfo>& outputs,
+                       Images images) {
+  of_frame.image = integrator.estimate(of_frame.of_interval);
+  expect_size(of_frame.image, job_);
+  of_frame.layers.clear();
+  for (const OutputInfo& output : outputs) {
+    of_frame.layers.push_back({output, integrator.estimate(of_frame.of_interval, output.name)});
+    expect_size(of_frame.layers.back().image, job_);
+    black_out_invalid(of_frame.layers.back().image, output, of_frame.frame, job_, messages_);
+  }
+  black_out_invalid(of_frame.image, radiance_output(), of_frame.frame, job_, messages_);
+  if (images == Images::last && !job_.denoiser) output_.add_to_video(of_frame.image, of_frame.layers);
+}
+
+void Results::write_files(const std::vector<std::shared_ptr<FrameImages>>& frames, const Integrator& integrator,
+                          Images images) {
+  const auto write_image = [this](const FrameImages& of, bool alone) {
+    output_.write(of.frame, of.image, of.layers, of.figures, alone);
+  };
+  const bool at_once = frames.size() > 1;
+  if (at_once)
+    parallel_for(static_cast<std::int64_t>(frames.size()), 1, [&](std::int64_t i) {
+      FrameImages& of_frame = *frames[static_cast<std::size_t>(i)];
+      try {
+        write_image(of_frame, true);
+      } catch (...) {
+        of_frame.failure = std::current_exception();
+      }
+    });
+  // Later no integrator is left to ask for the last images.
+  const bool keep = images == Images::last && keep_failed_;
+  const WriteFaults::Failed failed = keep ? WriteFaults::Failed::kept : WriteFaults::Failed::dropped;
+  for (const std::shared_ptr<FrameImages>& of_frame : frames) {
+    // What failed beside others is tried again alone: there may be enough memory for one.
+    if (at_once && of_frame->failure == nullptr)
+      faults_.attempt(output_.name(of_frame->frame), [] {});
+    else
+      faults_.attempt(
+          output_.name(of_frame->frame), [=] { write_image(*of_frame, false); }, failed);
+    if (!job_.denoiser) continue;
+    const std::filesystem::path name = output_.denoised_name(of_frame->frame);
+    const auto denoise = [&] {
+      of_frame->clean = denoised(*job_.denoiser, of_frame->image, integrator, of_frame->of_interval, name);
+      if (images == Images::last) output_.add_to_video(of_frame->clean, of_frame->layers);
+    };
+    const auto write_clean = [this, of_frame] {
+      output_.write_denoised(of_frame->frame, of_frame->clean, of_frame->layers, of_frame->figures);
+    };
+    if (faults_.attempt(name, denoise)) faults_.attempt(name, write_clean, failed);
+  }
 }
 
 std::string Results::written() const {

@@ -1,7 +1,9 @@
 // The results of a run: images, contact sheet, video and statistics, and which of them could not be written.
 #pragma once
 
+#include <memory>
 #include <set>
+#include <vector>
 
 #include "dspm/base/math/frames.h"
 #include "dspm/output/output.h"
@@ -16,7 +18,8 @@ class Results {
  public:
   using Images = SessionObserver::Images;
 
-  /// Takes what Output takes. If `keep_failed`, last images that cannot be written stay in memory for another attempt.
+  /// Takes what Output takes. If `keep_failed`, memory is not bounded: last images that cannot be written stay in it for
+  /// another attempt, and several are written at the same time.
   Results(const Job& job, const World& world, const OutputSettings& settings, const OtherFiles& others,
           bool keep_failed, Messages& messages, Video::EndWanted end_wanted);
 
@@ -39,6 +42,13 @@ class Results {
   bool finish(const RunReport& report);
 
  private:
+  struct FrameImages;
+  std::size_t images_at_once(std::size_t count) const;
+  void estimate(FrameImages& of_frame, const Integrator& integrator, const std::vector<OutputInfo>& outputs,
+                Images images);
+  /// Writes images of several frames at the same time, and those with less noise.
+  void write_files(const std::vector<std::shared_ptr<FrameImages>>& frames, const Integrator& integrator,
+                   Images images);
   /// Writes the table of the images, if one was asked for.
   void write_index() const;
 

@@ -103,8 +103,8 @@ void halve(Box& box, const std::vector<QuarterSums>& sums, std::size_t low) {
 void grow(Box& box, double most_worth) {
   std::vector<QuarterSums> sums((box.records.size() + kSummed - 1) / kSummed);
   for_each_chunk(box.records, [&](Records records, std::size_t chunk) { sums[chunk] = {records, box.box}; });
-  const QuarterSums all =
-      std::accumulate(sums.begin(), sums.end(), QuarterSums(), [](QuarterSums a, const QuarterSums& b) { return a += b; });
+  const QuarterSums all = std::accumulate(sums.begin(), sums.end(), QuarterSums(),
+                                          [](QuarterSums a, const QuarterSums& b) { return a += b; });
   for (const double quarter : all.values(0)) box.value += quarter;
   if (box.records.size() < kLeastRecords) return;
   double best = 0;
@@ -242,9 +242,8 @@ class Trees {
     if (!is_halved(box)) return box.halves.reset();
     nodes[at].first_child = static_cast<int>(first), nodes[at].side = box.side;
     const std::size_t of_upper = first + 2 + (*box.halves)[0].boxes_within;
-    for_each_half(box, [&](Box& half, bool upper) {
-      lay(half, first + upper, upper ? of_upper : first + 2, density, nodes);
-    });
+    for_each_half(
+        box, [&](Box& half, bool upper) { lay(half, first + upper, upper ? of_upper : first + 2, density, nodes); });
     box.halves = nullptr;
   }
 
