@@ -67,14 +67,14 @@ struct Results::FrameImages {
   std::exception_ptr failure = nullptr;
 };
 
-// As many images as there are threads, if that makes better use of them than the rows of one image: nothing else in
-// writing is worth a second thread. If memory is bounded, there is room for one.
+// Several images keep more threads busy than one image's rows. If memory is bounded, there is room for one image.
 std::size_t Results::images_at_once(std::size_t count) const {
-  constexpr std::size_t kRoom = std::size_t{512} << 20, kRowsOfAThread = 128;
-  if (!keep_failed_ || job_.denoiser) return 1;
-  const std::size_t room = kRoom / std::max<std::size_t>(1, output_.bytes_while_writing());
-  const std::size_t at_once = std::min({count, room, static_cast<std::size_t>(thread_count())});
-  return at_once * kRowsOfAThread > static_cast<std::size_t>(job_.settings.crop.height()) ? at_once : 1;
+  constexpr std::size_t kRoom = std::size_t{256} << 20, kRowsOfAThread = 128;
+  const auto threads = static_cast<std::size_t>(thread_count());
+  if (!keep_failed_ || job_.denoiser || threads == 1) return 1;
+  const std::size_t rows = static_cast<std::size_t>(job_.settings.crop.height()),
+                    at_once = std::min(count, kRoom / std::max<std::size_t>(1, output_.bytes_while_writing()));
+  return at_once >= std::min(rows / kRowsOfAThread, threads) ? std::max<std::size_t>(1, at_once) : 1;
 }
 
 void Results::write(const FrameList& interval, const Integrator& integrator, double seconds, Images images) {
@@ -87,7 +87,7 @@ void Results::write(const FrameList& interval, const Integrator& integrator, dou
   for (std::size_t j = 0; j < interval.size(); ++j)
     if (std::binary_search(job_.frames.begin(), job_.frames.end(), interval[j]))
       wanted.push_back(static_cast<Frame>(j));
-  const std::size_t at_once = std::max<std::size_t>(1, images_at_once(wanted.size()));
+  const std::size_t at_once = images_at_once(wanted.size());
   for (std::size_t begin = 0; begin < wanted.size(); begin += at_once) {
     std::vector<std::shared_ptr<FrameImages>> some;
     for (const Frame j : std::span(wanted).subspan(begin, std::min(at_once, wanted.size() - begin))) {

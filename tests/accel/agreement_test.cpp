@@ -144,6 +144,35 @@ TEST_P(Agreement, OnALargeMesh) {
   for (int i = 0; i < 300; ++i) expect_agreement(tree, loop, {random.in_cube(2), random.direction()}, all);
 }
 
+// So many triangles of a sequence that many threads cut them into pieces, and build what is below a node.
+TEST_P(Agreement, OnALargeDeformingMesh) {
+  test::Random random(9);
+  constexpr int kFrames = 4;
+  std::vector<MeshData> data(kFrames);
+  for (int i = 0; i < 5000; ++i) {
+    const Vec3 at = random.in_cube(1), way = random.in_cube(i % 2 == 0 ? 0.01f : 0.3f);
+    for (int corner = 0; corner < 3; ++corner) {
+      const Vec3 beside = random.in_cube(0.03f);
+      for (int f = 0; f < kFrames; ++f)
+        data[static_cast<std::size_t>(f)].vertices.push_back(at + beside + static_cast<float>(f) * way);
+    }
+    for (MeshData& mesh : data) mesh.faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  std::vector<std::unique_ptr<TriangleMesh>> meshes;
+  std::vector<PlacedShape> placed;
+  for (int f = 0; f < kFrames; ++f) {
+    meshes.push_back(std::make_unique<TriangleMesh>(std::move(data[static_cast<std::size_t>(f)])));
+    placed.push_back(test::placed(*meshes.back(), {}));
+    placed.back().frames = FrameSet::single(f);
+  }
+  const FrameSet all = FrameSet::first(kFrames);
+  const TwoLevel tree(placed, all, GetParam());
+  const BruteForce loop(placed);
+  for (int i = 0; i < 200; ++i)
+    expect_agreement(tree, loop, {random.in_cube(2), random.direction()},
+                     i % 2 == 0 ? all : FrameSet::single(i / 2 % 4));
+}
+
 // So many pieces that they get nodes at once, in trees of all kinds.
 TEST_P(Agreement, OnHair) {
   test::Random random(8);

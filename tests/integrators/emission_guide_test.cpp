@@ -5,8 +5,10 @@
 
 #include <cmath>
 
+#include "dspm/base/system/parallel.h"
 #include "dspm/base/system/state_in_memory.h"
 #include "dspm/integrators/guiding/emission_tree.h"
+#include "dspm/integrators/guiding/quarter_sums.h"
 
 namespace dspm {
 namespace {
@@ -135,6 +137,53 @@ TEST(EmissionGuide, LosesNoLight) {
 TEST(EmissionGuide, WithoutRecordsIsAsUsual) {
   const EmissionGuide guide = guide_from({}, kUsual);
   EXPECT_FLOAT_EQ(guide.density(1, {0.5f, 0.1f, 0.9f, 0}), 0.2f);
+}
+
+// So many records that several threads take part, at every stage.
+TEST(EmissionGuide, IsTheSameWithAnyNumberOfThreadsAndInUsedMemory) {
+  const auto saved = [](int threads, GuideRoom& room) {
+    const ThreadLimit limit(threads);
+    std::vector<EmissionRecord> records = records_in_a_small_box(30'000);
+    for (std::size_t i = 20'000; i < records.size(); ++i) records[i].light = 3;
+    SavedState state;
+    EmissionGuide guide = guide_from(records, kUsual, room);
+    EXPECT_GT(guide.cell_count(), 1000u);
+    guide.persist(state, 4);
+    return state.all;
+  };
+  GuideRoom fresh, used;
+  const std::string expected = saved(1, fresh);
+  EXPECT_EQ(saved(4, used), expected);
+  EXPECT_EQ(saved(3, used), expected);
+}
+
+// Lanes find what a loop over records and sides finds, also beyond the box and at its borders.
+TEST(QuarterSums, AreThoseOfEachSide) {
+  EmissionBox box;
+  box.low = {0.5f, 0, 0.25f, 0.75f}, box.size = {0.25f, 1, 0.125f, 0x1p-10f};
+  std::vector<EmissionRecord> records;
+  for (int i = 0; i < 700; ++i) {
+    const PathRandom random(5, Stream::setup, static_cast<std::uint64_t>(i), 0);
+    const Vec2 a = random.pair(0, 0), b = random.pair(0, 1);
+    const float u[] = {a.x, a.y, b.x, b.y};
+    EmissionRecord record{0, {}, 0.1 + static_cast<double>(random.number(0, 5))};
+    for (std::size_t side = 0; side < 4; ++side) {
+      const float place = i % 3 == 0 ? std::floor(5 * u[side]) / 4 : 1.2f * u[side] - 0.1f;
+      record.numbers[side] = box.low[side] + place * box.size[side];
+    }
+    records.push_back(record);
+  }
+  const QuarterSums sums(records, box);
+  for (std::size_t side = 0; side < 4; ++side) {
+    double expected[4] = {};
+    std::size_t below = 0;
+    for (const EmissionRecord& record : records) {
+      const int quarter = quarter_of(record, box, side);
+      expected[quarter] += record.value, below += quarter < 2;
+    }
+    for (std::size_t at = 0; at < 4; ++at) EXPECT_EQ(sums.values(side)[at], expected[at]) << side << " " << at;
+    EXPECT_EQ(sums.below(side), below);
+  }
 }
 
 TEST(EmissionGuide, IsTheSameAfterSavingAndLoading) {

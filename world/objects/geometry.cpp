@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <mutex>
 #include <unordered_map>
 
 #include "dspm/base/colour/rgb.h"
@@ -158,16 +159,19 @@ void Geometry::check(const ShapeUse& use, Source& source) {
     const bool body = looks_.bounds_a_body(material);
     if (first.repair) {
       const std::shared_ptr<const Shape> model = first.shape;
-      std::optional<RepairPlan> plan;
+      std::once_flag planned;
+      RepairPlan plan;
       const auto repaired = [&](const TriangleMesh& other) {
         if (other.faces() != model->triangles()->faces()) return apply(plan_repair(other), other);
-        if (!plan) plan = plan_repair(*model->triangles());
-        return apply(*plan, other);
+        std::call_once(planned, [&] { plan = plan_repair(*model->triangles()); });
+        return apply(plan, other);
       };
-      for (MadeShapes& made : source.made)
-        if (const TriangleMesh* other = made[p].shape->triangles())
-          made[p].shape = derived<TriangleMesh>(kept_, {made[p].shape, model}, ContentKey("repaired"),
-                                                [&] { return repaired(*other); });
+      parallel_for(static_cast<std::int64_t>(source.made.size()), 1, [&](std::int64_t i) {
+        auto& shape = source.made[static_cast<std::size_t>(i)][p].shape;
+        if (const TriangleMesh* other = shape->triangles())
+          shape =
+              derived<TriangleMesh>(kept_, {shape, model}, ContentKey("repaired"), [&] { return repaired(*other); });
+      });
       mesh = source.made.front()[p].shape->triangles();
     }
     if (!body || !check_meshes_) continue;
