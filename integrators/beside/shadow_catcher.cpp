@@ -53,6 +53,8 @@ class ShadowCatcher final : public WrappingIntegrator {
       const Rgb e0 = c0 > 0 ? caught_without.pixels[i] * (c / c0) : Rgb();  // as many paths as have found `caught`
       const float left = share_left(caught.pixels[i], e0);
       image.pixels[i] += output == kRadiance ? caught.pixels[i] - e0 * left : Rgb(-c * left);
+      // Of the colour that loses most, rounding may leave less than nothing.
+      for (int channel = 0; channel < 3; ++channel) image.pixels[i][channel] = std::max(image.pixels[i][channel], 0.f);
     }
     return image;
   }

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "dspm/base/params/errors.h"
 #include "dspm/base/system/state_in_memory.h"
 #include "dspm/integrators/beside/surface_output_list.h"
@@ -100,6 +102,14 @@ TEST(ShadowCatcher, OverTheBareFloorLiesTheFloorWithItsLight) {
           EXPECT_NEAR(mean(over)[c], mean(plain.radiance[f])[c], 1e-5f) << integrator << ", frame " << f;
       }
     }
+}
+
+// The colour that loses most of its light loses all that alpha takes, so rounding may leave less than nothing: a checkpoint
+// with such a pixel counts as damaged.
+TEST(ShadowCatcher, NoPixelIsNegative) {
+  for (const char* integrator : kIntegrators)
+    for (const Image& radiance : seen(scene(integrator, kCatches, R"(Material "dielectric")"), 3).radiance)
+      for (const Rgb& pixel : radiance.pixels) EXPECT_GE(std::min({pixel.r, pixel.g, pixel.b}), 0) << integrator;
 }
 
 TEST(ShadowCatcher, ThingsHideIt) {
