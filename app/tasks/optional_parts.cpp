@@ -91,7 +91,7 @@ std::vector<OptionalPart> built_parts() {
        [] { return unless(gltf::reads_meshopt(), kNotBuiltIn); }},
       {"OpenColorIO", "--view ocio", "libopencolorio-dev, when dspm is built with -DDSPM_OCIO=ON",
        [] { return unless(knows_ocio(), kNotBuiltIn); }},
-      {"MPI", "mpirun -n 16 dspm: several machines together", "libopenmpi-dev, when dspm is built",
+      {"MPI", "mpirun -n 16 dspm: several machines together", "openmpi-bin; libopenmpi-dev, when dspm is built",
        [] { return has_mpi_module() ? fault_of_mpi_module() : kNotBuiltIn; }},
   };
 }

@@ -49,7 +49,7 @@ needs "$folder/bin/dspm" "$libraries/libdspm.so" "$folder"/python/dspm/*.so | gr
     cp -L "$library" "$libraries/"
     patchelf --set-rpath '$ORIGIN' "$libraries/$(basename "$library")"
     command -v dpkg-query >/dev/null || continue
-    package=$(dpkg-query -S "$(realpath "$library")" | sed 's/:.*//')
+    package=$(dpkg-query -S "*/$(basename "$(realpath "$library")")" | sed "s/:.*//; q")
     mkdir -p "$folder/share/doc/libraries/$package"
     cp -L "/usr/share/doc/$package/copyright" "$folder/share/doc/libraries/$package/"
   done
