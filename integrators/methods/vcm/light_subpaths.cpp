@@ -5,8 +5,8 @@
 
 #include "dspm/base/system/parallel.h"
 #include "dspm/integrators/methods/vcm/light_densities.h"
-#include "dspm/integrators/photons/trace_photons.h"
 #include "dspm/integrators/photons/photon_starts.h"
+#include "dspm/integrators/photons/trace_photons.h"
 #include "dspm/integrators/transport/branching_path.h"
 #include "dspm/integrators/transport/joint_path.h"
 #include "dspm/integrators/transport/light_value.h"
