@@ -54,7 +54,7 @@ class Reader {
       : path_(path), by_blender_(by_blender), left_out_(left_out), pictures_(path, complaints, left_out) {}
 
   FileMaterial material(const tinyobj::material_t& m) {
-    made_ = {path_, trimmed(m.name), {}, {}, {}, {}};
+    made_ = {path_, trimmed(name_from_tinyobj(m.name)), {}, {}, {}, {}};
     const bool shines = is_positive(m.emission) || !m.emissive_texname.empty(),
                has_holes = !m.alpha_texname.empty() || (m.dissolve < 1 && !is_glass(m));
     if (is_glass(m))

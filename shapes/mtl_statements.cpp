@@ -76,6 +76,18 @@ std::string with_all_numbers(std::string_view options) {
   return result;
 }
 
+// What stands for blanks in names of materials: newer tinyobjloaders end a name there.
+constexpr std::string_view kBlanks = " \t", kStandIns = "\x1e\x1f";
+
+std::string replaced(std::string_view text, std::string_view these, std::string_view by) {
+  std::string result(text);
+  for (char& c : result)
+    if (const std::size_t which = these.find(c); which != these.npos) c = by[which];
+  return result;
+}
+
+std::string one_word(std::string_view name) { return replaced(name, kBlanks, kStandIns); }
+
 class Writer {
  public:
   Writer(MtlLeftOut& left_out) : left_out_(left_out) {}
@@ -83,7 +95,10 @@ class Writer {
   void add(const ObjStatement& s) {
     const std::string_view keyword = usual(s.keyword);
     std::string_view rest = s.rest;
-    if (keyword == "newmtl") material_ = rest;
+    if (keyword == "newmtl") {
+      material_ = rest;
+      return put(keyword, one_word(rest));
+    }
     if (std::find(std::begin(kColours), std::end(kColours), keyword) != std::end(kColours))
       return add_colour(keyword, rest);
     if (keyword == "d" && rest.starts_with("-halo")) {
@@ -121,6 +136,8 @@ class Writer {
 };
 
 }  // namespace
+
+std::string name_from_tinyobj(std::string_view name) { return replaced(name, kStandIns, kBlanks); }
 
 std::string for_tinyobj(const std::string& mtl, MtlLeftOut& left_out) {
   Writer writer(left_out);

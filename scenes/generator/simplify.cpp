@@ -2,10 +2,14 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_placement.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#include <CGAL/version.h>
+#if CGAL_VERSION_NR >= 1050600000
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_count_stop_predicate.h>
+#else
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
+#endif
 
 #include "dspm/shapes/cgal_mesh.h"
 
@@ -14,14 +18,18 @@ namespace {
 
 namespace simplification = CGAL::Surface_mesh_simplification;
 
+#if CGAL_VERSION_NR >= 1050600000
+using EdgeCount = simplification::Edge_count_stop_predicate<CgalSurface>;
+#else
+using EdgeCount = simplification::Count_stop_predicate<CgalSurface>;
+#endif
+
 /// The shortest edge collapses first, so that triangles become roughly equilateral.
 struct LengthCost {
   const Coarseness& coarseness;
 
-  // CGAL 5 wants boost's optional and CGAL 6 the standard one: what its own costs return.
   template <class Profile, class Placement>
-  auto operator()(const Profile& profile, const Placement& placement) const
-      -> decltype(simplification::Edge_length_cost<CgalSurface>()(profile, placement)) {
+  boost::optional<double> operator()(const Profile& profile, const Placement&) const {
     const auto a = profile.p0(), b = profile.p1();
     const double wanted = coarseness(to_vec3(CGAL::midpoint(a, b)));
     return CGAL::squared_distance(a, b) / (wanted * wanted);
@@ -35,7 +43,7 @@ MeshData simplified(const MeshData& mesh, int triangles, const Coarseness& coars
   const auto edges = static_cast<std::size_t>(triangles) * 3 / 2;
   using Middle = simplification::Midpoint_placement<CgalSurface>;
   simplification::edge_collapse(
-      surface, simplification::Count_stop_predicate<CgalSurface>(edges),
+      surface, EdgeCount(edges),
       CGAL::parameters::get_cost(LengthCost{coarseness})
           .get_placement(simplification::Bounded_normal_change_placement<Middle>(Middle())));  // no face turns over
   surface.collect_garbage();

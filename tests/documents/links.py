@@ -6,6 +6,7 @@ docs/<name>.md must be there, too. Exits with 1 and names file:line of each that
 """
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
@@ -16,9 +17,9 @@ MENTIONED_IN = {".h", ".cpp", ".py", ".sh", ".cmake", ".txt", ".dsc", ".js", ""}
 
 def files(root):
     """Those that git tracks, or all of them where there is no git; without this test itself."""
-    listed = subprocess.run(["git", "-C", root, "ls-files", "--cached", "--others", "--exclude-standard", "."],
-                            capture_output=True, text=True)
-    names = listed.stdout.splitlines() or [str(path.relative_to(root)) for path in sorted(root.rglob("*"))]
+    asked = ["git", "-C", root, "ls-files", "--cached", "--others", "--exclude-standard", "."]
+    listed = subprocess.run(asked, capture_output=True, text=True).stdout if shutil.which("git") else ""
+    names = listed.splitlines() or [str(path.relative_to(root)) for path in sorted(root.rglob("*"))]
     return [root / name for name in names
             if not name.startswith(("tests/documents/", "build/", "out/")) and (root / name).is_file()]
 

@@ -18,6 +18,7 @@ except ImportError:
 
     sys.modules["IPython"] = types.ModuleType("IPython")
     sys.modules["IPython"].get_ipython = lambda: None
+    sys.modules["IPython"].version_info = (0, 0)  # which matplotlib asks for
     sys.modules["IPython.display"] = types.ModuleType("IPython.display")
     sys.modules["IPython.display"].HTML = str
 matplotlib.use("Agg")

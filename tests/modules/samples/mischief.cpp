@@ -38,7 +38,7 @@ class Mischief final : public Integrator {
 
  private:
   void die() const {
-    int* volatile nowhere = nullptr;
+    volatile int* volatile nowhere = nullptr;  // compilers leave out stores that cannot be
     if (mood_ == "abort") std::abort();
     if (mood_ == "segfault") *nowhere = 1;
     if (mood_ == "exit") std::exit(0);
