@@ -15,6 +15,7 @@
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/median.h"
+#include "dspm/base/system/parallel.h"
 #include "dspm/image/image.h"
 #include "dspm/integrators/beside/wrapping_integrator.h"
 #include "dspm/integrators/possible_state.h"
@@ -175,18 +176,20 @@ class ErrorEstimate final : public WrappingIntegrator {
     const StepTimer timer(step_);
     const bool has_half = done >= kFirstEstimate && 2 * kept_after_[slot] == done;
     const std::size_t size = sample_.size();
-    if (has_half) lone_ = 0;
-    for (std::size_t f = 0; f < frames_; ++f) {
+    std::vector<std::uint64_t> lone(frames_);
+    parallel_for(static_cast<std::int64_t>(frames_), 1, [&](std::int64_t frame) {
+      const auto f = static_cast<std::size_t>(frame);
       const std::span<float> kept(&kept_[(slot * frames_ + f) * size], size);
       std::vector<float> now = sample_.of(inner_->estimate(static_cast<Frame>(f), kRadiance));
       if (has_half) {
         const Seen half = sample_.parted(kept), all = sample_.parted(now);
         const double error = error_of(half.pixels, all.pixels);
         squares_[f] = std::pow(done * error, 2);
-        lone_ = std::max(lone_, lone_paths(half.peaks, all.peaks, sample_.parts_across(), error));
+        lone[f] = lone_paths(half.peaks, all.peaks, sample_.parts_across(), error);
       }
       std::copy(now.begin(), now.end(), kept.begin());
-    }
+    });
+    if (has_half) lone_ = *std::max_element(lone.begin(), lone.end());
     kept_after_[slot] = done;
     if (has_half) estimated_ = done;
   }

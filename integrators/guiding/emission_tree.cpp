@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kLeastRecords = 24;  // of a box that is halved
 constexpr std::size_t kSummed = 256;       // records whose values are summed up before those of others
-constexpr std::size_t kAtOnce = 1 << 12;   // records that are worth no second thread
+constexpr std::size_t kAtOnce = 1 << 10;   // records that are worth no second thread
 constexpr float kSmallestSide = 0x1p-16f;  // leaves numbers of 24 bits 8 of them
 constexpr double kDefensive = 0.25;        // the share of paths that start as without a guide
 constexpr double kClimbs = 0.6;            // the chance that a draw leaves its box for the next larger one

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <span>
 #include <utility>
 
 #include "dspm/base/grid/buffer.h"
@@ -21,7 +22,7 @@ namespace {
 // A round has a path for every other pixel, within bounds, and enough for every light to be seen.
 constexpr std::int64_t kLeastPaths = 1 << 12, kMostPaths = 1 << 14, kPathsOfALight = 1 << 6, kPathsPerTrace = 1 << 4;
 constexpr std::int64_t kLeastLightPaths = 10'000;  // a picture may be small, and what light has to pass smaller
-constexpr std::int64_t kFoundAtOnce = 1 << 6;      // by one thread
+constexpr std::int64_t kFoundAtOnce = 1 << 8;      // by one thread
 constexpr std::size_t kTreeBytes = 256 * EmissionGuide::kMostCells;  // while it grows
 constexpr double kLeastPilotPixels = 1 << 11, kMostPilotPixels = 1 << 14, kPixelsAPilot = 4;
 
@@ -258,14 +259,18 @@ class Learner {
     records_.refit(count);
     parallel_for(static_cast<std::int64_t>(rounds.size()), 1, [&](std::int64_t number) {
       const auto r = static_cast<std::size_t>(number);
-      parallel_for(static_cast<std::int64_t>(rounds[r].found.size()), kFoundAtOnce, [&](std::int64_t i) {
-        FoundPath& path = rounds[r].found[static_cast<std::size_t>(i)];
-        for (std::size_t other = r == last ? 0 : last; other <= last; ++other)
-          path.mixture += density(rounds[other].guides, path);
-        const auto own = static_cast<double>(path.start.density), wanted = favour(path.start.light);
-        records_[first_of[r][kind(path)] + path.place] = {path.start.light, path.start.numbers,
-                                                          path.squares * own * own / path.mixture * wanted * wanted};
-      });
+      parallel_chunks(
+          static_cast<std::int64_t>(rounds[r].found.size()), kFoundAtOnce, [&](std::int64_t begin, std::int64_t end) {
+            const std::span<FoundPath> some(rounds[r].found.begin() + begin, rounds[r].found.begin() + end);
+            for (std::size_t other = r == last ? 0 : last; other <= last;
+                 ++other)  // outside: a guide stays in the cache
+              for (FoundPath& path : some) path.mixture += density(rounds[other].guides, path);
+            for (const FoundPath& path : some) {
+              const auto own = static_cast<double>(path.start.density), wanted = favour(path.start.light);
+              records_[first_of[r][kind(path)] + path.place] = {
+                  path.start.light, path.start.numbers, path.squares * own * own / path.mixture * wanted * wanted};
+            }
+          });
     });
     // The paths, the records, those and others beside them, twice while trees grow, with a box for every four at most.
     bytes_ = std::max(bytes_, bytes_of(tiles_) + bytes_of(traces_) + scene_.accel->memory() +

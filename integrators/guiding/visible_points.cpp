@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "dspm/base/math/vec.h"
 #include "dspm/base/system/parallel.h"
@@ -25,7 +27,7 @@ VisiblePoints::VisiblePoints(std::span<const HitPointTile> tiles, std::vector<Hi
     for (std::size_t place = (step - first[t] % step) % step; place < hits.size(); place += step) {
       if ((hits[place].frames & frames).empty()) continue;
       const float radius = std::min(scale * hits[place].radius, most);
-      of_tiles[t][std::ilogb(radius)].push_back({&hits[place], &tiles[t], radius * radius});
+      of_tiles[t][std::ilogb(radius)].push_back({&hits[place], &tiles[t], hits[place].frames, radius * radius});
     }
   });
   std::map<int, std::vector<std::size_t>> first_of_tile;  // by size: of each tile, and one past the last
@@ -60,6 +62,12 @@ VisiblePoints::VisiblePoints(std::span<const HitPointTile> tiles, std::vector<Hi
     });
     for (const float largest : most2) size.most2 = std::max(size.most2, largest);
     size.grid.build(places, std::sqrt(size.most2));
+    UntouchedVector<Point> sorted(places.size());
+    parallel_for(static_cast<std::int64_t>(places.size()), kAtOnce, [&](std::int64_t place) {
+      const auto at = static_cast<std::size_t>(place);
+      sorted[at] = size.points[size.grid.order()[at]];
+    });
+    size.points = std::move(sorted);
   });
 }
 

@@ -1,15 +1,16 @@
 // The reverse of a photon map: hit points by position, to find those that would gather a given photon.
 #pragma once
 
-#include <map>
 #include <span>
 #include <vector>
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/grid/point_grid.h"
 #include "dspm/base/math/frames.h"
+#include "dspm/base/system/untouched.h"
 #include "dspm/integrators/photons/curve_photons.h"
 #include "dspm/integrators/photons/gather.h"
+#include "dspm/integrators/photons/hit_point.h"
 #include "dspm/integrators/photons/hit_point_tile.h"
 #include "dspm/integrators/photons/photon.h"
 
@@ -55,12 +56,13 @@ class VisiblePoints {
   struct Point {
     const HitPoint* hit;
     const HitPointTile* tile;
+    FrameSet frames;
     float radius2;
   };
   /// Points whose radii differ by less than a factor of two.
   struct OneSize {
     float most2 = 0;
-    std::vector<Point> points;
+    UntouchedVector<Point> points;  // in the grid's order
     PointGrid grid;
   };
   /// Calls fn(const Point&, const HitPoint&, FrameSet) for every point within whose radius the photon lies.
@@ -68,8 +70,8 @@ class VisiblePoints {
   void for_each_around(const Photon& photon, Fn&& fn) const {
     for (const OneSize& size : sizes_)
       size.grid.for_each_within(photon.p, size.most2, [&](std::uint32_t i, float distance2) {
-        const Point& point = size.points[size.grid.order()[i]];
-        const FrameSet frames = photon.frames & point.hit->frames;
+        const Point& point = size.points[i];
+        const FrameSet frames = photon.frames & point.frames;
         if (distance2 <= point.radius2 && !frames.empty()) fn(point, *point.hit, frames);
       });
   }
