@@ -11,6 +11,8 @@
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #endif
 
+#include <optional>
+
 #include "dspm/shapes/cgal_mesh.h"
 
 namespace dspm {
@@ -23,13 +25,18 @@ using EdgeCount = simplification::Edge_count_stop_predicate<CgalSurface>;
 #else
 using EdgeCount = simplification::Count_stop_predicate<CgalSurface>;
 #endif
+#if CGAL_VERSION_NR >= 1060000000
+using Cost = std::optional<double>;
+#else
+using Cost = boost::optional<double>;
+#endif
 
 /// The shortest edge collapses first, so that triangles become roughly equilateral.
 struct LengthCost {
   const Coarseness& coarseness;
 
   template <class Profile, class Placement>
-  boost::optional<double> operator()(const Profile& profile, const Placement&) const {
+  Cost operator()(const Profile& profile, const Placement&) const {
     const auto a = profile.p0(), b = profile.p1();
     const double wanted = coarseness(to_vec3(CGAL::midpoint(a, b)));
     return CGAL::squared_distance(a, b) / (wanted * wanted);
