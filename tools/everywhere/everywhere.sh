@@ -20,7 +20,7 @@ wheel='apt-cache show python3-scikit-build-core >/dev/null 2>&1 || exit 77; . to
   rm -rf /tmp/venv && python3 -m venv --system-site-packages /tmp/venv &&
   /tmp/venv/bin/pip install -q --no-build-isolation --no-deps . && cd /tmp &&
   venv/bin/python -c "import dspm; r = dspm.Render(dspm.load(\"/dspm/scenes/demo.dsc\", resolution=0.1)); r.iterate(1); assert r.image(0).any()" &&
-  venv/bin/dspm /dspm/scenes/demo.dsc --quick --iterations 1 --resolution 0.1 -o /tmp/wheel.####.exr --quiet'
+  venv/bin/dspm /dspm/scenes/demo.dsc --quick --iterations 1 --resolution 10% -o /tmp/wheel.####.exr --quiet'
 blender='apt-get install -qq -y --no-install-recommends blender python3-numpy >/dev/null &&
   ctest --test-dir build/release -R ^blender/ --output-on-failure'
 images='for preset in release clang; do
