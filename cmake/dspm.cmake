@@ -80,7 +80,8 @@ function(dspm_test name)
   # that none is forgotten, and without -O1: inline functions of the library may come from a test). The warnings are
   # wrong ones of g++ 12 there.
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND NOT CMAKE_BUILD_TYPE STREQUAL Debug)
-    target_compile_options(${target} PRIVATE -O1 -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow)
+    target_compile_options(${target} PRIVATE -O1 -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow
+      -Wno-stringop-overread)
     if(has_gold)
       target_link_options(${target} PRIVATE -fuse-ld=gold)
     endif()
