@@ -130,9 +130,11 @@ std::uint64_t lone_paths(std::span<const float> half, std::span<const float> all
 
 class ErrorEstimate final : public WrappingIntegrator {
  public:
-  ErrorEstimate(std::unique_ptr<Integrator> inner, int frames, const PixelRect& crop, int marks_per_octave)
+  ErrorEstimate(std::unique_ptr<Integrator> inner, int frames, const PixelRect& crop, int marks_per_octave,
+                std::size_t images_at_once)
       : WrappingIntegrator(std::move(inner)),
         marks_per_octave_(marks_per_octave),
+        images_at_once_(images_at_once),
         sample_(crop),
         frames_(static_cast<std::size_t>(frames)),
         kept_(bytes(frames, crop) / sizeof(float)),
@@ -177,8 +179,7 @@ class ErrorEstimate final : public WrappingIntegrator {
     const bool has_half = done >= kFirstEstimate && 2 * kept_after_[slot] == done;
     const std::size_t size = sample_.size();
     std::vector<std::uint64_t> lone(frames_);
-    parallel_for(static_cast<std::int64_t>(frames_), 1, [&](std::int64_t frame) {
-      const auto f = static_cast<std::size_t>(frame);
+    const auto compare_in = [&](std::size_t f) {
       const std::span<float> kept(&kept_[(slot * frames_ + f) * size], size);
       std::vector<float> now = sample_.of(inner_->estimate(static_cast<Frame>(f), kRadiance));
       if (has_half) {
@@ -188,13 +189,17 @@ class ErrorEstimate final : public WrappingIntegrator {
         lone[f] = lone_paths(half.peaks, all.peaks, sample_.parts_across(), error);
       }
       std::copy(now.begin(), now.end(), kept.begin());
-    });
+    };
+    for (std::size_t first = 0; first < frames_; first += images_at_once_)
+      parallel_for(static_cast<std::int64_t>(std::min(images_at_once_, frames_ - first)), 1,
+                   [&](std::int64_t i) { compare_in(first + static_cast<std::size_t>(i)); });
     if (has_half) lone_ = *std::max_element(lone.begin(), lone.end());
     kept_after_[slot] = done;
     if (has_half) estimated_ = done;
   }
 
   int marks_per_octave_;
+  std::size_t images_at_once_;
   Sample sample_;
   std::size_t frames_;
   std::vector<float> kept_;               // samples by slot and frame
@@ -213,7 +218,11 @@ std::unique_ptr<Integrator> with_error_estimate(const MakeWithin& make, const Sc
   // A bound on memory has room for a copy: iterations that are cancelled are reverted to one.
   std::unique_ptr<Integrator> inner = make_beside(2 * ErrorEstimate::bytes(scene.frame_count(), crop), make, memory);
   if (inner == nullptr) return nullptr;
-  return std::make_unique<ErrorEstimate>(std::move(inner), scene.frame_count(), crop, marks_per_octave);
+  // A bound on memory has room for one whole image.
+  constexpr std::size_t kRoom = std::size_t{256} << 20;
+  const std::size_t image_bytes = static_cast<std::size_t>(crop.count()) * sizeof(Rgb);
+  const std::size_t at_once = memory > 0 ? 1 : std::max<std::size_t>(1, kRoom / std::max<std::size_t>(1, image_bytes));
+  return std::make_unique<ErrorEstimate>(std::move(inner), scene.frame_count(), crop, marks_per_octave, at_once);
 }
 
 }  // namespace dspm
