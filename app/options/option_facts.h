@@ -14,6 +14,7 @@ struct OptionFacts {
   std::string sentence;
   bool repeats = false;  // each time counts, not just the last
 
+  bool is_option() const { return names.front().starts_with('-'); }
   bool has_optional_value() const { return value.find('[') < 2; }
 };
 

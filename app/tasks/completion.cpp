@@ -12,7 +12,6 @@
 namespace dspm {
 namespace {
 
-bool is_option(const OptionFacts& option) { return option.names.front().starts_with("-"); }
 bool takes_value(const OptionFacts& option) { return !option.value.empty() && !option.has_optional_value(); }
 
 /// Returns the text with a backslash before each of the characters.
@@ -45,7 +44,7 @@ std::string for_bash() {
   std::map<std::string, std::string> names_by_action;
   std::string all;
   for (const OptionFacts& option : all_options()) {
-    if (!is_option(option)) continue;
+    if (!option.is_option()) continue;
     all += fmt::format("{} ", fmt::join(option.names, " "));
     std::string& names = names_by_action[bash_action(option)];
     if (takes_value(option)) names += fmt::format("{}{}", names.empty() ? "" : "|", fmt::join(option.names, "|"));
@@ -98,7 +97,7 @@ std::string zsh_values(const OptionFacts& option) {
 std::string for_zsh() {
   std::string lines;
   for (const OptionFacts& option : all_options()) {
-    if (!is_option(option)) continue;
+    if (!option.is_option()) continue;
     const std::string sentence = fmt::format("[{}]", escaped(option.sentence, "[]\\")), values = zsh_values(option);
     const std::string others = fmt::format("({})", fmt::join(option.names, " "));
     for (const std::string& name : option.names) {
@@ -118,7 +117,7 @@ std::string for_zsh() {
 std::string for_fish() {
   std::string lines;
   for (const OptionFacts& option : all_options()) {
-    if (!is_option(option)) continue;
+    if (!option.is_option()) continue;
     std::string line = "complete -c dspm";
     for (const std::string& name : option.names)
       line += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);

@@ -37,8 +37,7 @@ std::string heading_of(const OptionFacts& option) {
 std::string options_as_list() {
   std::string list;
   for (const OptionFacts& option : all_options())
-    if (option.names.front().starts_with("-"))
-      list += fmt::format(".TP\n{}\n{}\n", heading_of(option), troff(option.sentence));
+    if (option.is_option()) list += fmt::format(".TP\n{}\n{}\n", heading_of(option), troff(option.sentence));
   return list;
 }
 

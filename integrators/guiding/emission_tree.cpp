@@ -49,13 +49,14 @@ struct Box {
   double deviation() const { return dspm::deviation(value, box.volume()); }
 };
 
+std::int64_t chunks_of(Records records) { return chunk_count(static_cast<std::int64_t>(records.size()), kSummed); }
+
 /// Calls fn(some of the records, the number of their chunk).
 template <class Fn>
 void for_each_chunk(Records records, Fn&& fn) {
-  const std::size_t count = records.size(), chunks = (count + kSummed - 1) / kSummed;
-  parallel_for(static_cast<std::int64_t>(chunks), kAtOnce / kSummed, [&](std::int64_t i) {
+  parallel_for(chunks_of(records), kAtOnce / kSummed, [&](std::int64_t i) {
     const auto chunk = static_cast<std::size_t>(i);
-    fn(records.subspan(chunk * kSummed, std::min(kSummed, count - chunk * kSummed)), chunk);
+    fn(records.subspan(chunk * kSummed, std::min(kSummed, records.size() - chunk * kSummed)), chunk);
   });
 }
 
@@ -101,7 +102,7 @@ void halve(Box& box, const std::vector<QuarterSums>& sums, std::size_t low) {
 
 /// Halves boxes as long as that gains anything.
 void grow(Box& box, double most_worth) {
-  std::vector<QuarterSums> sums((box.records.size() + kSummed - 1) / kSummed);
+  std::vector<QuarterSums> sums(static_cast<std::size_t>(chunks_of(box.records)));
   for_each_chunk(box.records, [&](Records records, std::size_t chunk) { sums[chunk] = {records, box.box}; });
   const QuarterSums all = std::accumulate(sums.begin(), sums.end(), QuarterSums(),
                                           [](QuarterSums a, const QuarterSums& b) { return a += b; });

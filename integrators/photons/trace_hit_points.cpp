@@ -25,8 +25,8 @@ constexpr int kPilotsAcross = 8;  // of a tile of few pixels: they are short wor
 
 /// Learning looks at every pixel of a small picture, tile by tile: there, large tiles keep neighbours together.
 int tile_side(const PixelRect& crop) {
-  constexpr std::int64_t kSmall = 1 << 13;
-  return std::int64_t{crop.width()} * crop.height() < kSmall ? 2 * kTileSide : kTileSide;
+  constexpr int kSmall = 1 << 13;
+  return crop.count() < kSmall ? 2 * kTileSide : kTileSide;
 }
 
 /// The way in which a path ends in a hit point in some of its frames.
