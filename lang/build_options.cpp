@@ -55,6 +55,10 @@ const std::vector<ParamInfo>& described_options() {
   static const std::vector<ParamInfo> options = {
       {"integer", "seed", "0", "",
        "of the random numbers; --seed takes precedence, then the integrator's, the sampler's"},
+      {"string", "numbers", "even", "",
+       "even: random numbers that cover what paths sample more evenly than independent ones do; or independent. It "
+       "goes "
+       "before the sampler"},
       {"bool", "disablepixeljitter", "false", "", "camera paths go through the middles of pixels"},
       {"bool", "disabletexturefiltering", "false", "", "textures are looked up at points, not over footprints"},
       {"float", "displacementedgescale", "1", "", "times \"edgelength\" of displaced meshes"},
@@ -141,6 +145,10 @@ void SceneBuilder::option(const Directive& directive) {
     const auto seed = number_of<int>(value.text);
     if (!seed) diagnostics_.error(value.where, "expected an integer");
     scene_.options.seed = seed.value_or(0);
+  } else if (known == "numbers") {
+    if (value.text != "even" && value.text != "independent")
+      return diagnostics_.error(value.where, "expected \"even\" or \"independent\"");
+    scene_.options.numbers = value.text;
   } else if (known == "displacementedgescale") {
     const float scale = number_of<float>(value.text).value_or(0);
     if (!(scale > 0 && scale < kInfinity)) return diagnostics_.error(value.where, "expected a number above 0");

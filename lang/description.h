@@ -35,6 +35,7 @@ struct CameraUse : PluginUse {
 /// The options that dspm has: `Option "seed" 7` and the like.
 struct SceneOptions {
   std::optional<int> seed;
+  std::string numbers;  // even or independent; empty: what the sampler says
   bool disable_pixel_jitter = false;
   bool disable_texture_filtering = false;
   float displacement_edge_scale = 1;  // multiplies "edgelength" of every displaced mesh

@@ -1,6 +1,7 @@
 #include "dspm/integrators/beside/variance_output.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 #include <vector>
 
@@ -28,10 +29,13 @@ class VarianceOutput final : public WrappingIntegrator {
       : WrappingIntegrator(std::move(inner)),
         crop_(crop),
         frames_(frames),
-        means_(bytes(frames, crop) / (2 * sizeof(Rgb))),
-        squares_(means_.size()) {}
+        means_(static_cast<std::size_t>(frames) * static_cast<std::size_t>(crop.count())),
+        squares_(means_.size()),
+        half_(means_.size()),
+        evenness_(means_.size(), 1.f) {}
   static std::size_t bytes(int frames, const PixelRect& crop) {
-    return 2 * sizeof(Rgb) * static_cast<std::size_t>(frames) * static_cast<std::size_t>(crop.count());
+    return (3 * sizeof(Rgb) + sizeof(float)) * static_cast<std::size_t>(frames) *
+           static_cast<std::size_t>(crop.count());
   }
 
   void iterate(const Iteration& iteration) override {
@@ -52,15 +56,16 @@ class VarianceOutput final : public WrappingIntegrator {
     Image image(crop_.width(), crop_.height());
     if (done_ < 2) return image;
     const float share = 1 / (static_cast<float>(done_) * static_cast<float>(done_ - 1));
-    const Rgb* const squares = &squares_[first(frame)];
-    for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = squares[i] * share;
+    const std::size_t at = first(frame);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+      image.pixels[i] = squares_[at + i] * (share * evenness_[at + i]);
     return image;
   }
 
   Statistics statistics() const override {
     Statistics statistics = inner_->statistics();
     statistics.steps.push_back(step_);
-    statistics.bytes += (means_.size() + squares_.size()) * sizeof(Rgb);
+    statistics.bytes += bytes(frames_, crop_);
     return statistics;
   }
 
@@ -71,8 +76,11 @@ class VarianceOutput final : public WrappingIntegrator {
     state.value(done_);
     state.value(means_);
     state.value(squares_);
+    state.value(half_);
+    state.value(evenness_);
     expect_iterations(done_);
     for (const Rgb& c : squares_) expect_possible(!(c.r < 0 || c.g < 0 || c.b < 0), "its variance");
+    for (const float e : evenness_) expect_possible(e >= 0, "its variance");
     return true;
   }
 
@@ -81,9 +89,12 @@ class VarianceOutput final : public WrappingIntegrator {
   bool merge(StateStream& part) {
     const int done = done_;
     const std::vector<Rgb> means = means_, squares = squares_;
+    const std::vector<float> evenness = evenness_;
     part.value(done_);
     part.value(means_);
     part.value(squares_);
+    part.value(half_);
+    part.value(evenness_);
     const int both = done + done_;
     if (both == 0) return true;
     const float theirs = static_cast<float>(done_) / static_cast<float>(both),
@@ -92,6 +103,7 @@ class VarianceOutput final : public WrappingIntegrator {
       const Rgb apart = means_[i] - means[i];
       means_[i] = means[i] + apart * theirs;
       squares_[i] += squares[i] + apart * apart * weight;
+      evenness_[i] = evenness[i] + (evenness_[i] - evenness[i]) * theirs;
     }
     done_ = both;
     return true;
@@ -109,11 +121,51 @@ class VarianceOutput final : public WrappingIntegrator {
       squares[i] += change * change * weight;
       means[i] = image.pixels[i];
     }
+    constexpr int kFirstDoubled = 4;
+    if (done_ < kFirstDoubled || !std::has_single_bit(static_cast<unsigned>(done_))) return;
+    Rgb* const half = &half_[first(frame)];
+    if (done_ > kFirstDoubled) {
+      std::vector<Both> both(image.pixels.size());
+      for (std::size_t i = 0; i < both.size(); ++i) {
+        const Rgb change = means[i] - half[i];
+        both[i] = {luminance(change * change), luminance(squares[i]) / weight};
+      }
+      set_evenness(both, &evenness_[first(frame)]);
+    }
+    std::copy(means, means + image.pixels.size(), half);
+  }
+
+  /// The variance of a pixel as both estimates have it, as luminances are weighted.
+  struct Both {
+    float of_halves, of_iterations;
+  };
+
+  /// Sets the quotient of the two estimates over the pixels around each that are about as noisy: at an edge, or under a
+  /// speck, it is another one than beside it.
+  void set_evenness(const std::vector<Both>& both, float* evenness) const {
+    constexpr int kAround = 4;
+    constexpr float kAlike = 4;
+    const int width = crop_.width(), height = crop_.height();
+    const auto at = [width](int x, int y) { return static_cast<std::size_t>(y * width + x); };
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        const float noise = both[at(x, y)].of_iterations;
+        float of_halves = 0, of_iterations = 0;
+        for (int j = std::max(y - kAround, 0); j <= std::min(y + kAround, height - 1); ++j)
+          for (int i = std::max(x - kAround, 0); i <= std::min(x + kAround, width - 1); ++i) {
+            const Both& near = both[at(i, j)];
+            if (near.of_iterations > kAlike * noise || noise > kAlike * near.of_iterations) continue;
+            of_halves += near.of_halves, of_iterations += near.of_iterations;
+          }
+        evenness[at(x, y)] = of_iterations > 0 ? of_halves / of_iterations : 1;
+      }
   }
 
   PixelRect crop_;
   int frames_, done_ = 0;
   std::vector<Rgb> means_, squares_;  // by frame and pixel
+  std::vector<Rgb> half_;             // the means when the number of iterations last was a power of two
+  std::vector<float> evenness_;       // the variance over that of independent iterations
   StepTime step_{"variance"};
 };
 

@@ -202,8 +202,7 @@ class Learner {
       }
       for (std::size_t i = 0; i < squares.size(); ++i) {
         const std::size_t choice = i % choices;
-        const PathRandom random(photon_.seed, photon_.stream, first_path[static_cast<std::size_t>(t)] + i / choices,
-                                rounds_);
+        const PathRandom random = numbers_of(photon_, first_path[static_cast<std::size_t>(t)] + i / choices, rounds_);
         if (const double sum = squares[i]; sum > 0 && std::isfinite(sum))
           found[static_cast<std::size_t>(t)].push_back({choice, start_of(&round.guides, scene_, choice, random), sum});
       }

@@ -27,7 +27,7 @@ void PilotPaths::count(const PilotRound& round, const Scene& scene, const Photon
     parallel_for(static_cast<std::int64_t>(round.paths), kGrain, [&](std::int64_t i) {
       const auto path = static_cast<std::uint64_t>(i);
       const EmissionStart start =
-          start_of(&round.guides, scene, choice, PathRandom(photon.seed, photon.stream, path, round.number));
+          start_of(&round.guides, scene, choice, numbers_of(photon, path, round.number));
       light[path] = start.density > 0 ? start.light : -1;
     });
     for (const int of : light)

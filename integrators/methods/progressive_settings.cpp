@@ -54,7 +54,7 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
   check_max_depth(params, max_depth, 1);
   params.finish();
   if (s.photons == -1) s.photons = pixel_count(render);  // pbrt's default
-  s.photon.seed = render.seed;
+  s.photon.seed = render.seed, s.photon.independent_numbers = render.independent_numbers;
   s.photon.max_depth = s.hit_point.max_depth = max_depth;
   s.photon.least_alpha = s.hit_point.least_alpha = least_alpha;
   s.photon.kinds = direct == "sampled" ? kCausticPhotons | kDiffusePhotons : kAllPhotons;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "dspm/base/math/ray.h"
@@ -32,40 +33,54 @@ bool are_valid(const std::vector<EmissionGuide::Node>& nodes, int lights) {
 
 }  // namespace
 
-EmissionGuide::EmissionGuide(int lights, std::vector<Node> nodes) : nodes_(std::move(nodes)) {
+EmissionGuide::EmissionGuide(int lights, std::vector<Node> nodes)
+    : nodes_(std::move(nodes)), shares_(nodes_.size()), light_ends_(static_cast<std::size_t>(lights)) {
   std::vector<EmissionBox> boxes(nodes_.size());
-  std::vector<int> light(nodes_.size());
-  for (int root = 0; root < lights; ++root) light[static_cast<std::size_t>(root)] = root;
-  steps_.reserve(nodes_.size()), cells_.reserve((nodes_.size() + static_cast<std::size_t>(lights)) / 2);
-  double end = 0;
+  steps_.reserve(nodes_.size());
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const Node& node = nodes_[i];
     if (node.first_child < 0) {
-      end += node.probability;
-      cells_.push_back({light[i], boxes[i], end, static_cast<float>(node.probability / boxes[i].volume())});
-      steps_.push_back({cells_.back().density, 0});
+      ++cell_count_;
+      steps_.push_back({static_cast<float>(node.probability / boxes[i].volume()), 0});
     } else {
       steps_.push_back({boxes[i].middle(node.side), static_cast<std::uint32_t>(4 * node.first_child + node.side)});
-      for (const bool above : {false, true}) {
-        const auto child = static_cast<std::size_t>(node.first_child + above);
-        boxes[child] = boxes[i].half(node.side, above), light[child] = light[i];
-      }
+      for (const bool above : {false, true})
+        boxes[static_cast<std::size_t>(node.first_child + above)] = boxes[i].half(node.side, above);
     }
   }
+  for (std::size_t i = nodes_.size(); i-- > 0;) {
+    const auto child = static_cast<std::size_t>(nodes_[i].first_child);
+    shares_[i] = nodes_[i].first_child < 0 ? nodes_[i].probability : shares_[child] + shares_[child + 1];
+  }
+  std::partial_sum(shares_.begin(), shares_.begin() + lights, light_ends_.begin());
 }
 
 EmissionStart EmissionGuide::draw(const PathRandom& random) const {
   // 24 bits would never reach cells of small probability.
-  const Vec2 choice = random.pair(0, kLightChoice);
-  const double u = (static_cast<double>(choice.x) + 0x1p-24 * static_cast<double>(choice.y)) * cells_.back().end;
-  const Cell& cell = *std::upper_bound(cells_.begin(), cells_.end() - 1, u,
-                                       [](double place, const Cell& other) { return place < other.end; });
-  const Vec2 position = random.pair(0, kLightPoint), direction = random.pair(0, kLightDirection);
-  EmissionStart start{cell.light, {position.x, position.y, direction.x, direction.y}, cell.density};
+  const Vec2 choice = random.pair(0, kLightChoice), position = random.pair(0, kLightPoint),
+             direction = random.pair(0, kLightDirection);
+  const double finer = 0x1p-24 * static_cast<double>(choice.y);
+  const double u = (static_cast<double>(choice.x) + finer) * light_ends_.back();
+  const auto light =
+      static_cast<std::size_t>(std::upper_bound(light_ends_.begin(), light_ends_.end() - 1, u) - light_ends_.begin());
+  std::array<double, 4> rest;  // of each number, within the box
+  const EmissionNumbers uniform = {position.x, position.y, direction.x, direction.y};
+  for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = static_cast<double>(uniform[i]) + finer;
+  EmissionBox box;
+  std::size_t node = light;
+  while (steps_[node].link != 0) {
+    const std::size_t child = steps_[node].link / 4, side = steps_[node].link % 4;
+    const double below = shares_[child] / shares_[node];
+    const bool above = !(rest[side] < below);
+    rest[side] = above ? (rest[side] - below) / (1 - below) : rest[side] / below;
+    box = box.half(static_cast<int>(side), above);
+    node = child + above;
+  }
+  EmissionStart start{static_cast<int>(light), {}, steps_[node].number};
   // Rounding may reach the end of the cell, where density() finds the next one.
-  for (std::size_t i = 0; i < start.numbers.size(); ++i) {
-    const float low = cell.box.low[i], size = cell.box.size[i];
-    start.numbers[i] = std::min(low + size * start.numbers[i], std::nextafter(low + size, 0.f));
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    const float end = box.low[i] + box.size[i];
+    start.numbers[i] = std::min(box.low[i] + box.size[i] * static_cast<float>(rest[i]), std::nextafter(end, 0.f));
   }
   return start;
 }
@@ -89,11 +104,7 @@ double EmissionGuide::density(std::size_t node, const EmissionNumbers& numbers) 
 
 std::vector<double> EmissionGuide::shares(std::size_t lights) const {
   std::vector<double> shares(lights);
-  double begin = 0;
-  for (const Cell& cell : cells_) {
-    shares[static_cast<std::size_t>(cell.light)] += (cell.end - begin) / cells_.back().end;
-    begin = cell.end;
-  }
+  for (std::size_t i = 0; i < light_ends_.size(); ++i) shares[i] = shares_[i] / light_ends_.back();
   return shares;
 }
 

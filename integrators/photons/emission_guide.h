@@ -59,11 +59,12 @@ class EmissionGuide {
   EmissionGuide(int lights, std::vector<Node> nodes);
 
   bool is_off() const { return nodes_.empty(); }
-  std::size_t cell_count() const { return cells_.size(); }
+  std::size_t cell_count() const { return cell_count_; }
   /// Returns each light's share of the paths; zeros if the guide is off.
   std::vector<double> shares(std::size_t lights) const;
-  /// Draws a start with the numbers of kLightChoice, kLightPoint and kLightDirection at bounce 0. The guide must not be
-  /// off.
+  /// Draws a start with the numbers of kLightChoice, kLightPoint and kLightDirection at bounce 0. It stretches these
+  /// numbers halving by halving, so starts are spread over the cells as evenly as the numbers are over their square
+  /// [Clarberg et al. 2005]. The guide must not be off.
   EmissionStart draw(const PathRandom& random) const;
   /// Returns the density with which draw() returns these numbers of the light, integrated over those that are
   /// kAnyNumber. The guide must not be off.
@@ -71,19 +72,13 @@ class EmissionGuide {
   /// Loading throws std::runtime_error unless it finds a guide for that many lights.
   void persist(StateStream& state, int lights);
   std::size_t bytes() const {
-    return nodes_.capacity() * sizeof(Node) + steps_.capacity() * sizeof(Step) + cells_.capacity() * sizeof(Cell);
+    return nodes_.capacity() * sizeof(Node) + steps_.capacity() * sizeof(Step) +
+           (shares_.capacity() + light_ends_.capacity()) * sizeof(double);
   }
 
   static constexpr std::size_t kMostCells = 20'000;
 
  private:
-  struct Cell {
-    int light;
-    EmissionBox box;
-    double end;  // of its part of [0, 1)
-    float density;
-  };
-
   /// A node as density() looks it up; it is small because every light sample needs it.
   struct Step {
     float number = 0;        // where it is halved; a cell's density
@@ -94,7 +89,9 @@ class EmissionGuide {
 
   std::vector<Node> nodes_;
   std::vector<Step> steps_;
-  std::vector<Cell> cells_;
+  std::size_t cell_count_ = 0;
+  std::vector<double> shares_;      // of each node: the probability of its cells
+  std::vector<double> light_ends_;  // of the lights' parts of the sum of all probabilities, one after the other
 };
 
 /// The guides by Scene::light_choices. If there are none, or all are off, lights are chosen by their power.

@@ -30,7 +30,7 @@ class PhotonTracer {
         branches_(scene, out.paths) {}
 
   void trace(std::uint64_t path_index, std::uint64_t iteration) {
-    start(PathRandom(settings_.seed, settings_.stream, path_index, iteration));
+    start(numbers_of(settings_, path_index, iteration));
     branches_.follow(*this);
     branches_.count_path();
     if (settings_.keep_ends) out_.ends.push_back({out_.photons.size(), out_.hidden.size(), out_.on_curves.size()});

@@ -9,6 +9,7 @@
 #include "dspm/base/math/rng.h"
 #include "dspm/integrators/photons/curve_photons.h"
 #include "dspm/integrators/photons/photon.h"
+#include "dspm/integrators/photons/photon_numbers.h"
 #include "dspm/integrators/statistics.h"
 #include "dspm/integrators/transport/strand.h"
 #include "dspm/world/scene/scene.h"
@@ -28,6 +29,7 @@ enum PhotonKinds : unsigned {
 
 struct PhotonSettings {
   std::uint64_t seed = 0;
+  bool independent_numbers = false;  // as in RenderSettings
   Stream stream = Stream::photon;
   int max_depth = 8;             // a photon is stored at its first max_depth hits
   float least_alpha = 0.25f;     // lobes smoother than this do not gather: no photon is stored just for them
@@ -61,6 +63,10 @@ struct PhotonTrace {
   std::vector<EnergyBalance> energy;  // by frame
   Rejections rejections;
 };
+
+inline PathRandom numbers_of(const PhotonSettings& settings, std::uint64_t path_index, std::uint64_t iteration) {
+  return photon_numbers(settings.seed, settings.stream, path_index, iteration, settings.independent_numbers);
+}
 
 /// Adds the traces' counts to `statistics`.
 void account(const std::vector<PhotonTrace>& traces, Statistics& statistics);

@@ -10,6 +10,7 @@
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/vec.h"
+#include "dspm/integrators/camera_numbers.h"
 #include "dspm/integrators/tiles.h"
 #include "dspm/integrators/transport/path_step.h"
 #include "dspm/shapes/curvature.h"
@@ -91,7 +92,7 @@ void start_camera_paths(const Scene& scene, const RenderSettings& render, int x,
   CameraPath path;
   path.pixel = pixel_in_crop(render.crop, x, y), path.width = path_width(render, iteration);
   scene.camera.for_each(among & scene.frames(), [&](FrameSet frames, const Camera& camera) {
-    path.random = PathRandom(camera_seed(render, camera), Stream::camera, camera_path_index(render, x, y), iteration);
+    path.random = camera_numbers(render, camera_seed(render, camera), x, y, iteration);
     const Vec2 film = film_point(render, x, y, path.random), lens = path.random.pair(0, kLightDirection);
     const float weight = camera.weight(film, lens);
     if (!(weight > 0)) return;

@@ -237,6 +237,8 @@ Job make_job(const SceneDescription& description, const Choices& choices, Diagno
   settings.default_iterations = sampler.pixel_samples.value_or(usual_samples(description));
   const int seed = sampler.seed.value_or(description.options.seed.value_or(0));
   settings.seed = choices.seed.value_or(static_cast<std::uint64_t>(integer_of(job.params, "seed", seed)));
+  const std::string& numbers = description.options.numbers;
+  settings.independent_numbers = numbers.empty() ? sampler.independent_numbers : numbers == "independent";
   settings.noise_per_frame = noise_of(job, sampler, choices) == "perframe";
   if (job.plugin != nullptr) {
     check_integrator(job, job.params, job.where, diagnostics);

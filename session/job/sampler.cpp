@@ -10,10 +10,12 @@
 namespace dspm {
 namespace {
 
+constexpr const char* kIndependent = "independent";
+
 /// pbrt's samplers have different parameters; here each accepts all, so a scene may change its sampler alone.
 SamplerSettings read(ParamReader& reader, const std::string& type) {
   SamplerSettings settings;
-  const int samples = reader.integer("pixelsamples", type == "independent" ? 4 : 16, "",
+  const int samples = reader.integer("pixelsamples", type == kIndependent ? 4 : 16, "",
                                      "camera paths per pixel, or iterations; the default is that of .pbrt files"),
             seed = reader.integer("seed", 0, "", "of the random numbers");
   const std::string noise =
@@ -42,17 +44,19 @@ SamplerSettings read_sampler(const std::optional<PluginUse>& use, Diagnostics& d
                       did_you_mean(use->type, names));
     return {};
   }
-  diagnostics.note(use->where,
-                   fmt::format("the sampler's type \"{}\" has no effect: dspm has its own sequence", use->type));
+  if (use->type != kIndependent)
+    diagnostics.note(use->where,
+                     fmt::format("the sampler \"{}\" is dspm's own: even numbers, as \"zsobol\" has", use->type));
   ParamReader reader(use->params, fmt::format("sampler \"{}\"", use->type), use->where, diagnostics);
-  const SamplerSettings settings = read(reader, use->type);
+  SamplerSettings settings = read(reader, use->type);
+  settings.independent_numbers = use->type == kIndependent;
   reader.finish();
   return settings;
 }
 
 const std::vector<std::string>& sampler_names() {
   static const std::vector<std::string> names = {"zsobol",  "paddedsobol", "sobol",     "halton",
-                                                 "pmj02bn", "independent", "stratified"};
+                                                 "pmj02bn", kIndependent,  "stratified"};
   return names;
 }
 

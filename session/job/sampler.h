@@ -1,4 +1,4 @@
-// Reads what dspm takes from the Sampler directive; the sequence of random numbers is its own.
+// Reads what dspm takes from the Sampler directive.
 #pragma once
 
 #include <optional>
@@ -13,11 +13,12 @@ namespace dspm {
 struct SamplerSettings {
   std::optional<int> pixel_samples, seed;
   std::string noise;  // empty: it does not say
+  bool independent_numbers = false;
 };
 
 SamplerSettings read_sampler(const std::optional<PluginUse>& use, Diagnostics& diagnostics);
 
-/// Returns the names of pbrt's samplers, which are all the same here except for the parameters that they have.
+/// Returns the names of pbrt's samplers. "independent" is what it says; all others stand for dspm's even numbers.
 const std::vector<std::string>& sampler_names();
 std::vector<ParamInfo> sampler_params(const std::string& name);
 

@@ -5,6 +5,7 @@
 
 #include "dspm/base/system/parallel.h"
 #include "dspm/integrators/methods/vcm/light_densities.h"
+#include "dspm/integrators/photons/photon_numbers.h"
 #include "dspm/integrators/photons/photon_starts.h"
 #include "dspm/integrators/photons/trace_photons.h"
 #include "dspm/integrators/transport/branching_path.h"
@@ -30,7 +31,8 @@ class LightPathTracer {
       : pass_(pass), scene_(pass.scene), starts_(starts), out_(out), branches_(pass.scene, out.paths) {}
 
   void trace(std::uint64_t path_index) {
-    const PathRandom random(pass_.render.seed, Stream::photon, path_index, pass_.iteration);
+    const PathRandom random = photon_numbers(pass_.render.seed, Stream::photon, path_index, pass_.iteration,
+                                             pass_.render.independent_numbers);
     for (std::size_t choice = 0; choice < scene_.light_choices.size(); ++choice)
       if (!scene_.light_choices[choice].frames.empty()) start(choice, random);
     branches_.count_path();

@@ -75,7 +75,8 @@ VcmPass pass_of(const VcmSettings& settings, const Scene& scene, const RenderSet
 std::shared_ptr<const LearnedEmission> learned_emission(const VcmSettings& settings, const Scene& scene,
                                                         const RenderSettings& render, Statistics& statistics) {
   PhotonSettings photon;
-  photon.seed = render.seed, photon.max_depth = settings.max_depth;
+  photon.seed = render.seed, photon.independent_numbers = render.independent_numbers;
+  photon.max_depth = settings.max_depth;
   photon.kinds = kCausticPhotons | kDiffusePhotons, photon.hidden = photon.are_light_paths = true;
   const HitPointSettings hit_point{.max_depth = settings.max_depth, .sample_direct = true};
   auto learned = emission_of_file(scene, render, photon, hit_point, settings.photons, settings.guided, statistics);

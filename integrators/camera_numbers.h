@@ -1,0 +1,37 @@
+// The random numbers of a pixel's camera paths.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+#include "dspm/base/math/owen.h"
+#include "dspm/base/math/rng.h"
+#include "dspm/integrators/integrator.h"
+#include "dspm/integrators/tiles.h"
+
+namespace dspm {
+
+/// Returns the numbers of a pixel's path in an iteration.
+///
+/// Even numbers come in blocks of iterations: four, and from then on as many as there were before, so that a block begins
+/// anew whenever the iterations have doubled. Blocks are independent of one another; so the two halves of so many
+/// iterations are, and estimates of the error that compare them hold. In a block, all pixels of a large square share one
+/// sequence: a pixel's iterations come one after the other, and pixels in Z-order, so that their errors cancel in squares
+/// of 2 x 2, 4 x 4, 8 x 8 pixels, ..., and are blue noise [Ahmed and Wonka 2020].
+inline PathRandom camera_numbers(const RenderSettings& render, std::uint64_t seed, int x, int y,
+                                 std::uint64_t iteration) {
+  if (render.independent_numbers) return {seed, Stream::camera, camera_path_index(render, x, y), iteration};
+  constexpr std::uint64_t kFirstBlock = 4, kLargestBlock = 1 << 16;
+  constexpr int kSquareBits = 8;  // a square's pixels times the largest block's iterations: 2^32 places
+  constexpr std::uint32_t kInSquare = (1 << kSquareBits) - 1;
+  const std::uint64_t length = std::clamp(std::bit_floor(iteration), kFirstBlock, kLargestBlock),
+                      first = iteration / length * length;
+  const auto column = static_cast<std::uint32_t>(x), row = static_cast<std::uint32_t>(y);
+  const std::uint64_t square = static_cast<std::uint64_t>(row >> kSquareBits) << 32 | column >> kSquareBits;
+  const std::uint32_t place = interleave_bits(column & kInSquare, row & kInSquare) * static_cast<std::uint32_t>(length);
+  return PathRandom::even(mix_bits(seed ^ square), Stream::camera, first,
+                          place + static_cast<std::uint32_t>(iteration - first));
+}
+
+}  // namespace dspm
