@@ -10,6 +10,9 @@
 
 namespace dspm {
 
+/// Frames per second of an animation whose scene or files do not say how many.
+inline constexpr float kUsualRate = 24;
+
 /// Returns whether the name ends with .webp or .apng.
 bool is_animation_name(const std::filesystem::path& path);
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "dspm/image/animation.h"
+#include "dspm/image/big_endian.h"
 #include "dspm/image/image.h"
 
 namespace dspm {
@@ -17,12 +18,6 @@ namespace {
 using Chunk = std::function<void(const std::string& name, const std::string& content)>;
 constexpr std::size_t kSignature = 8;
 constexpr double kTicks = 1000;  // per second
-
-std::string number(std::uint32_t value, int bytes = 4) {
-  std::string text;
-  for (int i = bytes - 1; i >= 0; --i) text.push_back(static_cast<char>(value >> (8 * i) & 0xff));
-  return text;
-}
 
 void for_each_chunk(const std::string& png, const Chunk& chunk) {
   for (std::size_t at = kSignature; at + 12 <= png.size();) {
@@ -36,15 +31,15 @@ void for_each_chunk(const std::string& png, const Chunk& chunk) {
 void append(std::string& file, const std::string& name, const std::string& content) {
   const std::string both = name + content;
   const auto crc = crc32(0, reinterpret_cast<const Bytef*>(both.data()), static_cast<uInt>(both.size()));
-  file += number(static_cast<std::uint32_t>(content.size())) + both + number(static_cast<std::uint32_t>(crc));
+  file += big_endian(static_cast<std::uint32_t>(content.size())) + both + big_endian(static_cast<std::uint32_t>(crc));
 }
 
 /// Returns the control chunk of a frame that covers the whole image and replaces the one before.
 std::string frame_control(std::uint32_t sequence, const Image& image, double seconds) {
   const auto ticks = static_cast<std::uint32_t>(std::clamp(std::lround(seconds * kTicks), 1l, 65535l));
-  return number(sequence) + number(static_cast<std::uint32_t>(image.width)) +
-         number(static_cast<std::uint32_t>(image.height)) + number(0) + number(0) + number(ticks, 2) +
-         number(static_cast<std::uint32_t>(kTicks), 2) + std::string(2, '\0');
+  return big_endian(sequence) + big_endian(static_cast<std::uint32_t>(image.width)) +
+         big_endian(static_cast<std::uint32_t>(image.height)) + big_endian(0) + big_endian(0) + big_endian(ticks, 2) +
+         big_endian(static_cast<std::uint32_t>(kTicks), 2) + std::string(2, '\0');
 }
 
 }  // namespace
@@ -59,10 +54,10 @@ std::string apng_bytes(const std::vector<Image>& images, double seconds, const P
     for_each_chunk(png, [&](const std::string& name, const std::string& content) {
       if (name == "IDAT" && std::exchange(is_first_data, false))
         append(file, "fcTL", frame_control(sequence++, images[i], seconds));
-      if (name == "IDAT" && i > 0) return append(file, "fdAT", number(sequence++) + content);
+      if (name == "IDAT" && i > 0) return append(file, "fdAT", big_endian(sequence++) + content);
       if (name == "IEND" || i > 0) return;
       append(file, name, content);
-      if (name == "IHDR") append(file, "acTL", number(static_cast<std::uint32_t>(images.size())) + number(0));
+      if (name == "IHDR") append(file, "acTL", big_endian(static_cast<std::uint32_t>(images.size())) + big_endian(0));
     });
   }
   append(file, "IEND", "");

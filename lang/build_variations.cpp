@@ -14,7 +14,6 @@ namespace dspm {
 namespace {
 
 using enum DirectiveKind;
-using Kind = Block::Kind;
 
 constexpr std::size_t kNamesListed = 20, kMostAxes = 64;
 constexpr std::size_t kLongestName = 100;  // bytes; file names end at 255
@@ -92,7 +91,8 @@ bool SceneBuilder::apply_variation(Directive& directive) {
 
 bool SceneBuilder::is_out_of_place(const Directive& directive) {
   const DirectiveKind kind = directive.info->kind;
-  const bool in_axis = blocks_.innermost_is(Kind::axis), in_variation = blocks_.innermost_is(Kind::variation);
+  const bool in_axis = blocks_.innermost_is(Block::Kind::axis),
+             in_variation = blocks_.innermost_is(Block::Kind::variation);
   if (!in_axis && !in_variation) return false;
   if (in_variation && can_replace(kind)) return false;
   diagnostics_.error(
@@ -109,8 +109,9 @@ bool SceneBuilder::is_out_of_place(const Directive& directive) {
 /// variants, may bring one wherever it is placed.
 void SceneBuilder::expect_top_level(const Directive& directive) {
   const bool variation = directive.info->kind == DirectiveKind::variation_begin;
-  const bool is_free = blocks_.innermost_is(Kind::import) || (variation && blocks_.innermost_is(Kind::axis));
-  const Block* outer = is_free ? nullptr : blocks_.find_other({Kind::import});
+  const bool is_free =
+      blocks_.innermost_is(Block::Kind::import) || (variation && blocks_.innermost_is(Block::Kind::axis));
+  const Block* outer = is_free ? nullptr : blocks_.find_other({Block::Kind::import});
   if (outer == nullptr) return;
   diagnostics_.error(
       directive.where,
@@ -125,16 +126,16 @@ void SceneBuilder::axis_begin(const Directive& directive) {
   if (scene_.axes.size() >= kMostAxes)
     throw SyntaxError(directive.where, fmt::format("there are more than {} axes", kMostAxes));
   define(axes_, directive);
-  open_block(Kind::axis, directive, name.text);
+  open_block(Block::Kind::axis, directive, name.text);
   scene_.axes.push_back({name.text, directive.where, {}});
 }
 
 void SceneBuilder::axis_end(const Directive& directive) {
-  if (blocks_.innermost_is(Kind::axis) && scene_.axes.back().variations.empty())
+  if (blocks_.innermost_is(Block::Kind::axis) && scene_.axes.back().variations.empty())
     diagnostics_.error(blocks_.innermost().where,
                        fmt::format("{} contains no variation", begin_of(blocks_.innermost())),
                        "define one with VariationBegin \"a name\" .. VariationEnd");
-  close_block(Kind::axis, directive);
+  close_block(Block::Kind::axis, directive);
 }
 
 void SceneBuilder::variation_begin(const Directive& directive) {
@@ -146,24 +147,24 @@ void SceneBuilder::variation_begin(const Directive& directive) {
         fmt::format("images are named after variations: up to {} characters, none of / \\ : * ? \" < > |",
                     kLongestName));
   auto axis = scene_.axes.empty() ? scene_.axes.end() : scene_.axes.end() - 1;
-  if (!blocks_.find(Kind::axis)) {
+  if (!blocks_.find(Block::Kind::axis)) {
     axis = std::find_if(scene_.axes.begin(), scene_.axes.end(), [](const auto& each) { return each.name.empty(); });
     if (axis == scene_.axes.end()) axis = scene_.axes.insert(axis, {{}, directive.where, {}});
   }
   axis_of_variation_ = static_cast<std::size_t>(axis - scene_.axes.begin());
   variations_.resize(scene_.axes.size());
   define(variations_[axis_of_variation_], directive);
-  open_block(Kind::variation, directive, name.text);
+  open_block(Block::Kind::variation, directive, name.text);
   around_variation_ = std::exchange(state_.ctm, {});
   Variation& variation = axis->variations.emplace_back();
   variation.name = name.text, variation.where = name.where;
   replaced_ = {};
 }
 
-void SceneBuilder::variation_end(const Directive& directive) { close_block(Kind::variation, directive); }
+void SceneBuilder::variation_end(const Directive& directive) { close_block(Block::Kind::variation, directive); }
 
 Variation* SceneBuilder::variation_in_force() {
-  return blocks_.innermost_is(Kind::variation) ? &scene_.axes[axis_of_variation_].variations.back() : nullptr;
+  return blocks_.innermost_is(Block::Kind::variation) ? &scene_.axes[axis_of_variation_].variations.back() : nullptr;
 }
 
 void SceneBuilder::in_variation(const Directive& directive) {

@@ -13,7 +13,7 @@
 namespace dspm {
 namespace {
 
-using Kind = TransformOp::Kind;
+using OpKind = TransformOp::Kind;
 using Ops = std::vector<TransformOp>;
 
 Matrix4 product(const Ops& ops) {
@@ -25,13 +25,13 @@ Matrix4 product(const Ops& ops) {
 double eased(double t, Ease ease) { return ease == Ease::smooth ? t * t * (3 - 2 * t) : t; }
 
 /// What of a directive's arguments is one thing: a point, an angle, an axis.
-std::span<const Quantity> quantities(Kind kind) {
+std::span<const Quantity> quantities(OpKind kind) {
   static constexpr Quantity kVector[] = {{0, 3}}, kTurn[] = {{0, 1}, {1, 3}}, kView[] = {{0, 3}, {3, 3}, {6, 3}},
                             kPose[] = {{0, 3}, {3, 4}, {7, 9}};
   switch (kind) {
-    case Kind::rotate: return kTurn;
-    case Kind::look_at: return kView;
-    case Kind::matrix: return kPose;
+    case OpKind::rotate: return kTurn;
+    case OpKind::look_at: return kView;
+    case OpKind::matrix: return kPose;
     default: return kVector;
   }
 }
@@ -72,7 +72,7 @@ Matrix4 power(Matrix4 base, std::uint64_t exponent) {
 
 /// Goes on from `last` as often as from `first` to it.
 TransformOp carried_on(TransformOp op, const TransformOp& first, const TransformOp& last, std::uint64_t cycles) {
-  if (op.kind == Kind::matrix)
+  if (op.kind == OpKind::matrix)
     return matrix_op(power(last.matrix() * first.matrix().inverse().value_or(kZeroMatrix), cycles) * op.matrix());
   for (std::size_t i = 0; i < op.arguments.size(); ++i)
     op.arguments[i] += static_cast<double>(cycles) * (last.arguments[i] - first.arguments[i]);
@@ -108,10 +108,10 @@ class NamedPoints {
 
 }  // namespace
 
-std::size_t argument_count(Kind kind) { return quantities(kind).back().first + quantities(kind).back().count; }
+std::size_t argument_count(OpKind kind) { return quantities(kind).back().first + quantities(kind).back().count; }
 
 TransformOp matrix_op(const Matrix4& matrix) {
-  TransformOp op{Kind::matrix};
+  TransformOp op{OpKind::matrix};
   for (std::size_t row = 0; row < 4; ++row)
     for (std::size_t column = 0; column < 4; ++column) op.arguments[4 * column + row] = matrix.m[row][column];
   return op;
@@ -125,19 +125,19 @@ bool same_sequence(const Ops& a, const Ops& b) {
 Matrix4 TransformOp::matrix() const {
   const auto& v = arguments;
   switch (kind) {
-    case Kind::translate: return Matrix4::translate(v[0], v[1], v[2]);
-    case Kind::rotate: {
+    case OpKind::translate: return Matrix4::translate(v[0], v[1], v[2]);
+    case OpKind::rotate: {
       const double length2 = v[1] * v[1] + v[2] * v[2] + v[3] * v[3];
       return length2 > 0 && std::isfinite(length2) ? Matrix4::rotate(v[0], v[1], v[2], v[3]) : kZeroMatrix;
     }
-    case Kind::scale: return Matrix4::scale(v[0], v[1], v[2]);
-    case Kind::look_at: {
+    case OpKind::scale: return Matrix4::scale(v[0], v[1], v[2]);
+    case OpKind::look_at: {
       if (std::any_of(places.begin(), places.end(), [](const auto& p) { return p && !p->world_from_place; })) return {};
       const Matrix4 view =
           Matrix4::look_at({v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}).value_or(kZeroMatrix);
       return places_things ? view.inverse().value_or(kZeroMatrix) : view;
     }
-    case Kind::matrix: break;
+    case OpKind::matrix: break;
   }
   return Matrix4::from_columns(v);
 }
@@ -159,7 +159,7 @@ KeyedTransform::KeyedTransform(std::vector<TransformKey> keys, After after, Ease
   if (std::none_of(keys_.begin(), keys_.end() - 1, is_cubic)) return;
   for (std::size_t i = 0; i < (goes_by_arguments_ ? keys_.front().ops.size() : 1); ++i) {
     std::vector<Matrix4> matrices;
-    if (!goes_by_arguments_ || keys_.front().ops[i].kind == Kind::matrix)
+    if (!goes_by_arguments_ || keys_.front().ops[i].kind == OpKind::matrix)
       for (const TransformKey& key : keys_)
         matrices.push_back(goes_by_arguments_ ? key.ops[i].matrix() : product(key.ops));
     poses_.push_back(poses_of(matrices));
@@ -244,7 +244,7 @@ TransformOp KeyedTransform::between(const Place& place, std::size_t op, OpOf&& o
   if (ease(place.key) == Ease::cubic) return on_cubic(place, op, op_of);
   const TransformOp to = op_of(place.key + 1);
   const double t = eased(place.t, ease(place.key));
-  if (from.kind == Kind::matrix) return matrix_op(interpolate(from.matrix(), to.matrix(), t, key.turns));
+  if (from.kind == OpKind::matrix) return matrix_op(interpolate(from.matrix(), to.matrix(), t, key.turns));
   for (std::size_t i = 0; i < from.arguments.size(); ++i)
     from.arguments[i] = mix(from.arguments[i], to.arguments[i], t);
   return from;
@@ -253,7 +253,7 @@ TransformOp KeyedTransform::between(const Place& place, std::size_t op, OpOf&& o
 template <class OpOf>
 TransformOp KeyedTransform::on_cubic(const Place& place, std::size_t op, OpOf&& op_of) const {
   TransformOp result = op_of(place.key);
-  if (result.kind == Kind::matrix) {
+  if (result.kind == OpKind::matrix) {
     const bool is_still = result.arguments == op_of(place.key + 1).arguments;  // decomposing it would round
     return is_still ? result : matrix_op(on_cubic_poses(place, poses_[op]));
   }
@@ -283,7 +283,7 @@ Matrix4 KeyedTransform::on_cubic_poses(const Place& place, const std::vector<Num
       run, [&](std::size_t key) { return poses[key]; }, [&](std::size_t key) { return keys_[key].moment.frames(); },
       [](std::size_t, std::size_t, bool) { return std::optional<double>(); });
   Numbers pose{};
-  for (const Quantity& quantity : quantities(Kind::matrix)) {
+  for (const Quantity& quantity : quantities(OpKind::matrix)) {
     const Numbers there = way.at(place.key, place.t, quantity);
     std::copy_n(&there[quantity.first], quantity.count, &pose[quantity.first]);
   }

@@ -17,7 +17,6 @@ namespace {
 
 constexpr std::ptrdiff_t kLongestString = 4096;
 
-bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 bool ends_word(char c) { return is_blank(c) || c == '[' || c == ']' || c == '"' || c == '#'; }
 bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 bool starts_number(char c) { return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.'; }
@@ -26,8 +25,6 @@ const char* line_end(const char* at, const char* end) {
   const void* newline = std::memchr(at, '\n', static_cast<std::size_t>(end - at));
   return newline == nullptr ? end : static_cast<const char*>(newline);
 }
-
-std::string_view view(const char* begin, const char* end) { return {begin, static_cast<std::size_t>(end - begin)}; }
 
 /// Skips a +, which std::from_chars does not accept; but it would accept the - of `+-1`.
 const char* skip_plus(const char* at, const char* end) {

@@ -13,8 +13,8 @@ using Words = std::span<const std::string_view>;
 bool among(std::string_view word, Words words) { return std::find(words.begin(), words.end(), word) != words.end(); }
 
 // Only pbrt-v1 and v2 have these, except that v3 has the last one.
-constexpr std::string_view kDirectives[] = {"SurfaceIntegrator", "VolumeIntegrator", "Volume",
-                                            "Renderer",          "SearchPath",       "WorldEnd"};
+constexpr std::string_view kOldDirectives[] = {"SurfaceIntegrator", "VolumeIntegrator", "Volume",
+                                               "Renderer",          "SearchPath",       "WorldEnd"};
 
 // Plugins that pbrt-v4 dropped or renamed.
 constexpr std::string_view kCameras[] = {"environment"};
@@ -95,7 +95,7 @@ bool is_written_with(const SourceFile& file, std::string_view word) {
 
 }  // namespace
 
-bool is_old_directive(std::string_view name) { return among(name, kDirectives); }
+bool is_old_directive(std::string_view name) { return among(name, kOldDirectives); }
 
 std::optional<OldWord> old_word_in(const Directive& directive) {
   const auto type = type_of(directive);

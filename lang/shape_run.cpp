@@ -29,7 +29,6 @@ bool are_equal(const SourceLocation& a, const SourceLocation& b) {
 }
 
 const char* end_of(std::string_view text) { return text.data() + text.size(); }
-std::string_view view(const char* begin, const char* end) { return {begin, static_cast<std::size_t>(end - begin)}; }
 
 }  // namespace
 

@@ -13,6 +13,14 @@
 
 namespace dspm {
 
+/// Returns whether the character separates words.
+inline bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+/// Returns the text from `begin` up to `end`.
+inline std::string_view view(const char* begin, const char* end) {
+  return {begin, static_cast<std::size_t>(end - begin)};
+}
+
 using Defines = std::map<std::string, std::string, std::less<>>;
 
 /// An error at a place in the text; caught where reading can continue.

@@ -7,8 +7,6 @@
 namespace dspm {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
-
 /// Finds words and strings without reading them.
 class Scan {
  public:

@@ -24,8 +24,6 @@
 namespace dspm {
 namespace {
 
-constexpr double kUsualRate = 24;
-
 /// Fits an image into that size, on black if its shape is another one.
 Image fitted(const Image& image, int width, int height) {
   if (static_cast<long>(image.width) * height == static_cast<long>(image.height) * width) return image;

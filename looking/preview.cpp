@@ -17,7 +17,7 @@ constexpr const char* kRestoreCursor =
     "\x1b"
     "8";
 
-Image fitted(const Image& image, int width, int height) {
+Image shrunk_to_fit(const Image& image, int width, int height) {
   const double share =
       std::min({1., static_cast<double>(width) / image.width, static_cast<double>(height) / image.height});
   if (share == 1) return image;
@@ -33,7 +33,7 @@ void Preview::fit_into(const TerminalSize& size) {
 }
 
 std::string Preview::show(const Image& shown) {
-  const Image image = fitted(shown, width(), height());
+  const Image image = shrunk_to_fit(shown, width(), height());
   const int rows = (image.height + size_.cell_height - 1) / size_.cell_height;
   const bool in_place = rows_shown_ == rows && rows + rows_below_ < size_.rows;
   std::string text;

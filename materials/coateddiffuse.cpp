@@ -47,7 +47,7 @@ namespace dspm {
 namespace {
 
 /// The coat mirrors; the base gets the light that the coat transmits.
-constexpr LobeSet kCoat = kReflection, kBase = kTransmission;
+constexpr LobeSet kCoatLobe = kReflection, kBaseLobe = kTransmission;
 
 class CoatedDiffuse final : public Bsdf {
  public:
@@ -63,7 +63,7 @@ class CoatedDiffuse final : public Bsdf {
 
   LobeSet lobes(float least_alpha) const override {
     const float coat_alpha = smooth_ ? 0 : facets_.least_alpha();
-    return coat_alpha >= std::max(least_alpha, 0.f) ? kBothLobes : kBase;
+    return coat_alpha >= std::max(least_alpha, 0.f) ? kBothLobes : kBaseLobe;
   }
 
   Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
@@ -79,7 +79,7 @@ class CoatedDiffuse final : public Bsdf {
   std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const override {
     const float side = frame_.side(wo);
     const auto arriving = frame_.arrive(wo, side, transport);
-    const bool nothing_mirrors = eta_ == 1 && !(lobes & kBase);
+    const bool nothing_mirrors = eta_ == 1 && !(lobes & kBaseLobe);
     if (!(lobes & kBothLobes) || !arriving || nothing_mirrors) return std::nullopt;
     const Vec3 o = *arriving;
     const float chance = chance_of_coat(o, lobes);
@@ -103,7 +103,7 @@ class CoatedDiffuse final : public Bsdf {
   std::optional<Rgb> ratio_to(const Bsdf& other, LobeSet lobes) const override {
     if (typeid(other) != typeid(CoatedDiffuse)) return std::nullopt;
     const auto& o = static_cast<const CoatedDiffuse&>(other);
-    if (eta_ != o.eta_ || ((lobes & kCoat) && !(smooth_ && o.smooth_)) || !lets_through_as(o)) return std::nullopt;
+    if (eta_ != o.eta_ || ((lobes & kCoatLobe) && !(smooth_ && o.smooth_)) || !lets_through_as(o)) return std::nullopt;
     return ratio(base_, o.base_);
   }
 
@@ -130,8 +130,8 @@ class CoatedDiffuse final : public Bsdf {
   /// Returns f for directions above the surface, as does the density.
   Rgb f(const Vec3& o, const Vec3& i, LobeSet lobes) const {
     Rgb sum;
-    if (lobes & kBase) sum += base_ * (let_through(o) * let_through(i));
-    if ((lobes & kCoat) && !smooth_) {
+    if (lobes & kBaseLobe) sum += base_ * (let_through(o) * let_through(i));
+    if ((lobes & kCoatLobe) && !smooth_) {
       const Vec3 m = normalize(o + i);
       sum += Rgb(coat_->mirrored_by_facet(dot(o, m), o.z, i.z) * facets_.reflection(o, i, m));
     }
@@ -141,8 +141,8 @@ class CoatedDiffuse final : public Bsdf {
   float density(const Vec3& o, const Vec3& i, LobeSet lobes) const {
     const float coat = chance_of_coat(o, lobes);
     float sum = 0;
-    if (lobes & kBase) sum += (1 - coat) * i.z / kPi;
-    if ((lobes & kCoat) && !smooth_) sum += coat * facets_.reflection_density(o, normalize(o + i));
+    if (lobes & kBaseLobe) sum += (1 - coat) * i.z / kPi;
+    if ((lobes & kCoatLobe) && !smooth_) sum += coat * facets_.reflection_density(o, normalize(o + i));
     return sum;
   }
 

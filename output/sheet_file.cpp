@@ -11,7 +11,7 @@
 namespace dspm {
 namespace {
 
-constexpr double kUsualRate = 24, kSecondsOfAVariation = 1;
+constexpr double kSecondsOfAVariation = 1;
 
 /// Enlarges the style for a quick look, which is judged on a sheet as large as that of the whole render.
 SheetStyle enlarged(SheetStyle style, const Job& job, const SheetLayout& full) {

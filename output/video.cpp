@@ -12,13 +12,13 @@
 #include <utility>
 #include <vector>
 
+#include "dspm/image/animation.h"
 #include "dspm/image/encoding.h"
 #include "dspm/output/whole_mp4.h"
 
 namespace dspm {
 namespace {
 
-constexpr float kUsualRate = 24;
 constexpr std::chrono::seconds kGrace{5};
 
 int even(int size) { return size + size % 2; }

@@ -27,17 +27,17 @@ namespace dspm {
 namespace {
 
 /// A patch's corners, as indices: p00, p10, p01, p11.
-using Corners = std::array<int, 4>;
+using PatchCorners = std::array<int, 4>;
 
 struct PatchMesh {
   std::vector<Vec3> vertices;
   std::vector<Vec3> normals;  // one per vertex, or none
   std::vector<Vec2> uvs;      // likewise
-  std::vector<Corners> patches;
+  std::vector<PatchCorners> patches;
 };
 
 template <class T>
-T interpolated(const std::vector<T>& values, const Corners& corners, Vec2 uv) {
+T interpolated(const std::vector<T>& values, const PatchCorners& corners, Vec2 uv) {
   const auto at = [&](std::size_t c) { return values[static_cast<std::size_t>(corners[c])]; };
   return (at(0) * (1 - uv.x) + at(1) * uv.x) * (1 - uv.y) + (at(2) * (1 - uv.x) + at(3) * uv.x) * uv.y;
 }
@@ -93,10 +93,10 @@ class BilinearMesh final : public Shape {
   }
 
  private:
-  const Corners& corners(int primitive) const { return mesh_.patches[static_cast<std::size_t>(primitive)]; }
+  const PatchCorners& corners(int primitive) const { return mesh_.patches[static_cast<std::size_t>(primitive)]; }
   const Vec3& vertex(int v) const { return mesh_.vertices[static_cast<std::size_t>(v)]; }
   BilinearPatch patch(int primitive) const {
-    const Corners& c = corners(primitive);
+    const PatchCorners& c = corners(primitive);
     return {vertex(c[0]), vertex(c[1]), vertex(c[2]), vertex(c[3])};
   }
 
@@ -111,7 +111,7 @@ class BilinearMesh final : public Shape {
 
   /// Sets dp/ds along the first texture coordinate s; any tangent if there is none. The derivatives by texture
   /// coordinates are those by u and v times the inverse of the coordinates' own.
-  void set_tangents(SurfacePoint& s, const BilinearPatch& p, const Corners& c, Vec2 uv) const {
+  void set_tangents(SurfacePoint& s, const BilinearPatch& p, const PatchCorners& c, Vec2 uv) const {
     const Vec3 by_u = narrow(p.along_u(uv.y)), by_v = narrow(p.along_v(uv.x));
     s.dpdu = by_u, s.dpdv = by_v;
     if (!mesh_.uvs.empty()) {

@@ -26,6 +26,8 @@ struct CgalMesh {
 /// Faces with a repeated vertex and vertices that no face uses are left out.
 CgalMesh to_cgal(const std::vector<Vec3>& vertices, const std::vector<Face>& faces);
 
+inline const Vec3& at(const std::vector<Vec3>& vertices, int i) { return vertices[static_cast<std::size_t>(i)]; }
+
 inline Vec3 to_vec3(const CgalKernel::Point_3& p) {
   return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
 }

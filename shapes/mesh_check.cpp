@@ -16,8 +16,6 @@ namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
 
-const Vec3& at(const std::vector<Vec3>& vertices, int i) { return vertices[static_cast<std::size_t>(i)]; }
-
 Vec3 center(const std::vector<Vec3>& vertices, const Face& f) {
   return (at(vertices, f[0]) + at(vertices, f[1]) + at(vertices, f[2])) / 3;
 }

@@ -28,8 +28,6 @@ constexpr int kMostRimEdges = 100;
 constexpr float kLargestHole = 0.25f;  // of the mesh's diagonal
 constexpr float kWidestCrack = 1e-6f;  // of the mesh's diagonal
 
-const Vec3& at(const std::vector<Vec3>& vertices, int i) { return vertices[static_cast<std::size_t>(i)]; }
-
 float diagonal(const TriangleMesh& mesh) {
   Bounds3 b;
   for (const Vec3& p : mesh.vertices()) b.add(p);

@@ -47,10 +47,11 @@ bool is_physically_based(const tinyobj::material_t& m) {
 /// [Walter et al. 2007] Roughness is the root of alpha.
 float roughness_of_exponent(float exponent) { return std::pow(2 / (std::max(exponent, 0.f) + 2), 0.25f); }
 
-class Reader {
+class MtlReader {
  public:
   /// With `by_blender`, illum, Ns, Ka and Tf have meanings of their own. (Facts from what Blender 3.4 writes.)
-  Reader(const std::filesystem::path& path, bool by_blender, std::vector<std::string>& complaints, MtlLeftOut& left_out)
+  MtlReader(const std::filesystem::path& path, bool by_blender, std::vector<std::string>& complaints,
+            MtlLeftOut& left_out)
       : path_(path), by_blender_(by_blender), left_out_(left_out), pictures_(path, complaints, left_out) {}
 
   FileMaterial material(const tinyobj::material_t& m) {
@@ -241,7 +242,7 @@ std::vector<FileMaterial> read_mtl(const std::string& text, const std::filesyste
   std::map<std::string, int> numbers;
   std::string warning, error;
   tinyobj::LoadMtl(&numbers, &materials, &file, &warning, &error);
-  Reader reader(path, text.starts_with("# Blender"), complaints, left_out);
+  MtlReader reader(path, text.starts_with("# Blender"), complaints, left_out);
   std::vector<FileMaterial> made;
   for (const tinyobj::material_t& m : materials) made.push_back(reader.material(m));
   return made;

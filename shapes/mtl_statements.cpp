@@ -77,7 +77,7 @@ std::string with_all_numbers(std::string_view options) {
 }
 
 // What stands for blanks in names of materials: newer tinyobjloaders end a name there.
-constexpr std::string_view kBlanks = " \t", kStandIns = "\x1e\x1f";
+constexpr std::string_view kSpaces = " \t", kStandIns = "\x1e\x1f";
 
 std::string replaced(std::string_view text, std::string_view these, std::string_view by) {
   std::string result(text);
@@ -86,7 +86,7 @@ std::string replaced(std::string_view text, std::string_view these, std::string_
   return result;
 }
 
-std::string one_word(std::string_view name) { return replaced(name, kBlanks, kStandIns); }
+std::string one_word(std::string_view name) { return replaced(name, kSpaces, kStandIns); }
 
 class Writer {
  public:
@@ -137,7 +137,7 @@ class Writer {
 
 }  // namespace
 
-std::string name_from_tinyobj(std::string_view name) { return replaced(name, kStandIns, kBlanks); }
+std::string name_from_tinyobj(std::string_view name) { return replaced(name, kStandIns, kSpaces); }
 
 std::string for_tinyobj(const std::string& mtl, MtlLeftOut& left_out) {
   Writer writer(left_out);

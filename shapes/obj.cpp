@@ -113,9 +113,9 @@ std::optional<Corner> corner_of(std::string_view word) {
 }
 
 /// Reads a file. Faces are resolved at the end: they may come before their vertices.
-class Reader {
+class ObjReader {
  public:
-  Reader(const std::string& group, bool split, MtlFiles& libraries, ObjFile& out)
+  ObjReader(const std::string& group, bool split, MtlFiles& libraries, ObjFile& out)
       : group_(group), split_(split), libraries_(libraries), out_(out) {}
 
   void read(std::string_view text) {
@@ -264,7 +264,7 @@ ObjFile parse_obj(const std::string& text, const std::filesystem::path& director
                   const std::string& group, bool split) {
   ObjFile out;
   MtlFiles libraries(directory, companion, out);
-  Reader(group, split, libraries, out).read(text);
+  ObjReader(group, split, libraries, out).read(text);
   libraries.complain_of_what_is_left_out();
   return out;
 }

@@ -11,7 +11,7 @@
 namespace dspm::test {
 namespace {
 
-constexpr double kRounding = 1e-5;  // relative, of sums in single precision
+constexpr double kRoundingOfSums = 1e-5;  // relative, of sums in single precision
 
 /// Appends the colours of a frame's tiles and of the whole, one after the other.
 void append_colours(const Image& image, int across, std::vector<double>& colours) {
@@ -79,7 +79,7 @@ Verdict agreement(const Tiles& a, const Tiles& b, const Tolerance& tolerance) {
   for (std::size_t i = 0; i < a.means.size(); ++i) {
     const Tiles::Mean &mine = a.means[i], &other = b.means[i];
     const double scale = std::max(std::abs(mine.value), std::abs(other.value));
-    const double excess = std::abs(mine.value - other.value) - (tolerance.bias + kRounding) * scale;
+    const double excess = std::abs(mine.value - other.value) - (tolerance.bias + kRoundingOfSums) * scale;
     if (excess <= 0) continue;
     const double error = std::sqrt(mine.variance + other.variance);
     const double chance = error > 0 ? student_tails(excess / error, degrees_of_freedom(a, b, i)) : 0;

@@ -12,7 +12,7 @@
 namespace dspm {
 namespace {
 
-void add(CLI::App& app, Options& o) {
+void add_file_options(CLI::App& app, Options& o) {
   app.add_option("-o,--outfile", o.outfile,
                  "the images' name, .exr, .png, .webp, .pfm or .hdr; #### or %04d stands for the frame, {legs} for the "
                  "choice along an axis")
@@ -66,7 +66,7 @@ void check_outfile(const Options& o) {
   }
 }
 
-void check(const Options& o) {
+void check_file_options(const Options& o) {
   check_outfile(o);
   if (!o.contact_sheet.empty() && !is_sheet_name(o.contact_sheet))
     throw UsageError(fmt::format("--contact-sheet {}: the sheet is a {}", o.contact_sheet, kSheetNames));
@@ -82,6 +82,6 @@ void check(const Options& o) {
 
 }  // namespace
 
-const OptionGroup file_options = {add, check};
+const OptionGroup file_options = {add_file_options, check_file_options};
 
 }  // namespace dspm

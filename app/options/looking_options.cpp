@@ -22,7 +22,7 @@ void set_background(Options& o, const std::string& text) {
   }
 }
 
-void add(CLI::App& app, Options& o) {
+void add_looking_options(CLI::App& app, Options& o) {
   app.add_option(
          "--view", o.view.view,
          "how radiance is shown: agx (the default), agx-punchy, agx-golden, neutral, aces, filmic, standard, raw, or "
@@ -66,7 +66,7 @@ void add(CLI::App& app, Options& o) {
       ->type_name("RATE");
 }
 
-void check(const Options& o) {
+void check_looking_options(const Options& o) {
   try {
     if (!o.view.view.empty()) View{o.view};
   } catch (const std::runtime_error& error) {
@@ -81,6 +81,6 @@ void check(const Options& o) {
 
 }  // namespace
 
-const OptionGroup looking_options = {add, check};
+const OptionGroup looking_options = {add_looking_options, check_looking_options};
 
 }  // namespace dspm

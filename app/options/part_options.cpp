@@ -11,7 +11,7 @@
 namespace dspm {
 namespace {
 
-void add(CLI::App& app, Options& o) {
+void add_part_options(CLI::App& app, Options& o) {
   add_text(app, "--part", "P/N",
            "render every Nth iteration only, from the Pth on, into the --checkpoint: 3/8; or an Nth of the frames: "
            "frames:3/8",
@@ -95,7 +95,7 @@ void check_farm(const Options& o) {
     throw UsageError("--farm: each job reads the scene, so it cannot come from standard input");
 }
 
-void check(const Options& o) {
+void check_part_options(const Options& o) {
   if (o.task == Task::farm) check_farm(o);
   if (o.task == Task::plan)
     refuse("--plan",
@@ -111,6 +111,6 @@ void check(const Options& o) {
 
 }  // namespace
 
-const OptionGroup part_options = {add, check};
+const OptionGroup part_options = {add_part_options, check_part_options};
 
 }  // namespace dspm

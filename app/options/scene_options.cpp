@@ -7,7 +7,7 @@
 namespace dspm {
 namespace {
 
-void add(CLI::App& app, Options& o) {
+void add_scene_options(CLI::App& app, Options& o) {
   app.add_option("scene", o.scenes,
                  "scene files (.dsc or .pbrt, optionally .gz; .glb, .gltf), read in this order; -: standard input")
       ->type_name("");
@@ -53,7 +53,7 @@ bool needs_scene(Task task) {
   return std::find(std::begin(kOthers), std::end(kOthers), task) == std::end(kOthers);
 }
 
-void check(const Options& o) {
+void check_scene_options(const Options& o) {
   if (needs_scene(o.task) && o.scenes.empty()) throw UsageError("no scene was given (dspm --help says how)");
   for (const std::string& define : o.defines)
     if (define.find('=') == define.npos || define.front() == '=')
@@ -62,6 +62,6 @@ void check(const Options& o) {
 
 }  // namespace
 
-const OptionGroup scene_options = {add, check};
+const OptionGroup scene_options = {add_scene_options, check_scene_options};
 
 }  // namespace dspm

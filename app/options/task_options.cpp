@@ -5,7 +5,7 @@
 namespace dspm {
 namespace {
 
-void add(CLI::App& app, Options& o) {
+void add_task_options(CLI::App& app, Options& o) {
   const auto task = [&](const char* name, Task what, const char* sentence) {
     app.add_flag_callback(name, [&o, what] { o.task = what; })->description(sentence);
   };
@@ -37,6 +37,6 @@ void add(CLI::App& app, Options& o) {
 
 }  // namespace
 
-const OptionGroup task_options = {add, nullptr};
+const OptionGroup task_options = {add_task_options, nullptr};
 
 }  // namespace dspm

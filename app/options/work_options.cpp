@@ -7,7 +7,7 @@ namespace {
 
 constexpr int kMaxThreads = 1024;
 
-void add(CLI::App& app, Options& o) {
+void add_work_options(CLI::App& app, Options& o) {
   add_count(app, "-t,--nthreads", o.threads, 0, kMaxThreads,
             "threads (default: one per core, within a container's quota)");
   // Image headers keep it as a double.
@@ -48,12 +48,12 @@ void add(CLI::App& app, Options& o) {
                "a quarter of the width, of the height and of the iterations, photons in proportion to the pixels");
 }
 
-void check(const Options& o) {
+void check_work_options(const Options& o) {
   if (o.crop_window && o.pixel_bounds) throw UsageError("--cropwindow and --pixelbounds exclude each other");
 }
 
 }  // namespace
 
-const OptionGroup work_options = {add, check};
+const OptionGroup work_options = {add_work_options, check_work_options};
 
 }  // namespace dspm

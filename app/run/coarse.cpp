@@ -8,7 +8,7 @@
 namespace dspm {
 namespace {
 
-constexpr int kIterations = 8;
+constexpr int kCoarseIterations = 8;
 constexpr double kSeconds = 2;
 
 class CoarseView final : public SessionObserver {
@@ -38,7 +38,7 @@ class CoarseView final : public SessionObserver {
 
 std::unique_ptr<LoadedScene> load_coarsely(const Options& options, Messages& messages, KeptGeometry& kept) {
   Choices choices = options;
-  choices.quick = true, choices.iterations = kIterations, choices.until_error = 0;
+  choices.quick = true, choices.iterations = kCoarseIterations, choices.until_error = 0;
   if (choices.photons) choices.photons = quick_photons(*choices.photons);
   auto loaded = std::make_unique<LoadedScene>(options.scenes, choices, messages, std::nullopt, &kept);
   loaded->job.settings.file = nullptr;  // so that nothing is learned

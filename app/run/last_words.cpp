@@ -35,7 +35,7 @@ struct Text {
 Text current_step, own_name, kept_files;
 std::array<Text, kMostModules> module_names;  // in the order of loaded_modules()
 std::atomic<bool> rendering = false;
-std::atomic<pid_t> program = 0;  // the process, from the start of main() to its end
+std::atomic<pid_t> program_process = 0;  // the process, from the start of main() to its end
 
 void say(std::string_view words) { static_cast<void>(!write(STDERR_FILENO, words.data(), words.size())); }
 
@@ -102,13 +102,13 @@ void on_terminate() {
 }
 
 void on_exit() {
-  if (rendering || program == getpid()) end_as_called("exit() was called");
+  if (rendering || program_process == getpid()) end_as_called("exit() was called");
 }
 
 /// Speaks if a module is ending the process: its exit code would stand for that of the run. Programs that are about to
 /// be started are no concern.
 void on_end_of_process(const char* function) {
-  if (program == getpid() && module_on_stack() != nullptr) end_as_called(function);
+  if (program_process == getpid() && module_on_stack() != nullptr) end_as_called(function);
 }
 
 void on_crash(int number) {
@@ -140,7 +140,7 @@ void handle_crashes() {
 }  // namespace
 
 void prepare_last_words() {
-  program = getpid();
+  program_process = getpid();
   std::atexit(on_exit);
   std::set_terminate(on_terminate);
   std::array<void*, 1> first_use;  // it loads libgcc, which a signal handler must not
@@ -149,7 +149,7 @@ void prepare_last_words() {
 }
 
 int end_as_meant(int code) {
-  program = 0;
+  program_process = 0;
   return code;
 }
 

@@ -8,21 +8,12 @@
 
 #include "dspm/app/options/option_facts.h"
 #include "dspm/app/options/options.h"
+#include "dspm/app/tasks/templates.h"
 
 namespace dspm {
 namespace {
 
 bool takes_value(const OptionFacts& option) { return !option.value.empty() && !option.has_optional_value(); }
-
-/// Returns the text with a backslash before each of the characters.
-std::string escaped(const std::string& text, std::string_view characters) {
-  std::string all;
-  for (const char c : text) {
-    if (characters.find(c) != characters.npos) all += '\\';
-    all += c;
-  }
-  return all;
-}
 
 /// Returns the text in single quotes, for bash and zsh.
 std::string quoted(const std::string& text) {

@@ -21,15 +21,6 @@ std::string in_shell(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(quoted, " "));
 }
 
-std::string escaped(const std::string& text, std::string_view special) {
-  std::string result;
-  for (const char c : text) {
-    if (special.find(c) != std::string_view::npos) result += '\\';
-    result += c;
-  }
-  return result;
-}
-
 int parts_of(const Options& options) { return options.farm_parts.value_or(8); }
 
 /// Throws UsageError if parts cannot render, rather than let jobs fail on each machine of the farm.

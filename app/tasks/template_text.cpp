@@ -23,6 +23,15 @@ std::string filled(std::string_view text, const TemplateWords& words) {
   return result;
 }
 
+std::string escaped(const std::string& text, std::string_view characters) {
+  std::string all;
+  for (const char c : text) {
+    if (characters.find(c) != characters.npos) all += '\\';
+    all += c;
+  }
+  return all;
+}
+
 std::string shell_word(const std::string& word) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:@%";
   if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;

@@ -22,6 +22,8 @@ using TemplateWords = std::map<std::string, std::string, std::less<>>;
 /// Replaces each @word@. A line that becomes empty is left out.
 std::string filled(std::string_view text, const TemplateWords& words);
 
+/// Returns the text with a backslash before each of the characters.
+std::string escaped(const std::string& text, std::string_view characters);
 /// Returns the word as a shell reads it: quoted if necessary.
 std::string shell_word(const std::string& word);
 

@@ -6,7 +6,7 @@
 namespace dspm {
 namespace {
 
-std::atomic<const char*> current = nullptr;
+std::atomic<const char*> running = nullptr;
 
 std::function<void(const char*)>& listener() {
   static std::function<void(const char*)> function;
@@ -15,20 +15,20 @@ std::function<void(const char*)>& listener() {
 
 }  // namespace
 
-Activity::Activity(const char* name) : is_outer_(current == nullptr) {
+Activity::Activity(const char* name) : is_outer_(running == nullptr) {
   if (!is_outer_) return;
-  current = name;
+  running = name;
   goes_on();
 }
 
 Activity::~Activity() {
-  if (is_outer_) current = nullptr;
+  if (is_outer_) running = nullptr;
 }
 
-const char* Activity::now() { return current; }
+const char* Activity::now() { return running; }
 
 void Activity::goes_on() {
-  if (const char* const name = current; name != nullptr && listener()) listener()(name);
+  if (const char* const name = running; name != nullptr && listener()) listener()(name);
 }
 
 void Activity::listen(std::function<void(const char* name)> listens) { listener() = std::move(listens); }

@@ -17,7 +17,7 @@
 namespace dspm {
 namespace {
 
-constexpr int kMoment = 20;                      // milliseconds
+constexpr int kBetweenPolls = 20;                // milliseconds
 constexpr std::size_t kMostErrors = 4096;        // bytes
 constexpr std::string_view kLineEnds = "\r\n ";  // stripped from the end of errors
 
@@ -103,7 +103,7 @@ int ChildProcess::wait() {
 
 void ChildProcess::await_sign(bool has_input) {
   pollfd ends[] = {{has_input ? input_.number : -1, POLLOUT, 0}, {said_.number, POLLIN, 0}};
-  poll(ends, 2, kMoment);
+  poll(ends, 2, kBetweenPolls);
   if (ends[1].revents != 0) hear();
   if (process_ == 0 || !give_up_ || given_up_ || !give_up_(last_sign_)) return;
   given_up_ = true;

@@ -9,10 +9,10 @@ namespace {
 
 // These are in standard deviations. Neighbours share photons, so their noise does not average out within a patch.
 constexpr float kColours = 1.5f;
-constexpr float kOwn = 3;                      // what noise makes of a pixel's own difference now and then
-constexpr float kNormals = 0.3f;               // a difference of that length
-constexpr float kPlane = 0.002f;               // of nearness, relative, for each pixel of distance
-constexpr float kDark = 1e-12f, kFar = 1e-9f;  // against divisions by zero
+constexpr float kOwn = 3;                          // what noise makes of a pixel's own difference now and then
+constexpr float kNormals = 0.3f;                   // a difference of that length
+constexpr float kPlane = 0.002f;                   // of nearness, relative, for each pixel of distance
+constexpr float kDark = 1e-12f, kNoDepth = 1e-9f;  // against divisions by zero
 
 /// Returns about exp(-x), and 0 from 8 on; it calls no function, so that loops become vectors.
 inline float falloff(float x) {
@@ -91,7 +91,7 @@ void Tile::add_row(int row, Offset offset) {
     float patch = 0;
     for (int y = 0; y <= 2 * kPatch; ++y) patch += of_rows_[static_cast<std::size_t>((row + y) * kSide + i)];
     const float bend = square(nx[i] - nx2[i]) + square(ny[i] - ny2[i]) + square(nz[i] - nz2[i]);
-    const float step = std::abs(z[i] - z2[i]) * per_pixel / (s[i] + s2[i] + kPlane * (z[i] + z2[i]) + kFar);
+    const float step = std::abs(z[i] - z2[i]) * per_pixel / (s[i] + s2[i] + kPlane * (z[i] + z2[i]) + kNoDepth);
     const float by_colour = falloff(std::max({0.f, patch / kPatchPixels, (own[i] - kOwn) / 2}));
     const float by_surface = falloff(bend / (kNormals * kNormals) + square(step) / 2);
     const float weight = std::min(by_colour, by_surface) * inside[i];

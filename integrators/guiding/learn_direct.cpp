@@ -12,14 +12,14 @@
 namespace dspm {
 namespace {
 
-constexpr std::uint64_t kFirstIteration = 2 * kPilotIteration;  // random numbers of its own
-constexpr float kLater = 0.55f;                                 // of the initial radius: that after 64 iterations
+constexpr std::uint64_t kDirectIteration = 2 * kPilotIteration;  // random numbers of its own
+constexpr float kLater = 0.55f;                                  // of the initial radius: that after 64 iterations
 constexpr double kLeastByRays = 0.3;     // of the direct light by then, or photons bring it all if no guide was needed
 constexpr double kLeastVariance = 0.02;  // of a ray; of two samples it is at most 2
 
-class Pilot {
+class DirectPilot {
  public:
-  Pilot(const Scene& sample, const RenderSettings& render, const HitPointSettings& settings)
+  DirectPilot(const Scene& sample, const RenderSettings& render, const HitPointSettings& settings)
       : scene_(sample), pixels_(render, few_pixels(render)), settings_(settings) {
     settings_.share_paths = true, settings_.frames = few_frames(sample);
   }
@@ -29,7 +29,7 @@ class Pilot {
   std::vector<double> direct_light(const DirectBalance* balance, int again) {
     HitPointSettings settings = settings_;
     settings.sample_direct = balance != nullptr, settings.direct = balance;
-    const auto tiles = pixels_.trace(scene_, settings, kFirstIteration + static_cast<std::uint64_t>(again));
+    const auto tiles = pixels_.trace(scene_, settings, kDirectIteration + static_cast<std::uint64_t>(again));
     const auto frames = static_cast<std::size_t>(scene_.frame_count());
     std::vector<double> sums(static_cast<std::size_t>(pixels_.columns() * pixels_.rows()) * frames);
     for (const HitPointTile& tile : tiles)
@@ -83,7 +83,7 @@ void LearnedDirect::persist(StateStream& state) {
 
 LearnedDirect learn_direct(const Scene& sample, const RenderSettings& render, const HitPointSettings& settings,
                            std::int64_t photons, const EmissionGuides& guides, std::size_t& bytes) {
-  Pilot pilot(sample, render, settings);
+  DirectPilot pilot(sample, render, settings);
   LearnedDirect learned;
   const DirectBalance rays_alone(sample, {});
   const std::vector<double> seen = pilot.direct_light(nullptr, 0);

@@ -15,10 +15,10 @@
 namespace dspm {
 namespace {
 
-constexpr std::uint64_t kFirstIteration = 3 * kPilotIteration;           // random numbers of its own
+constexpr std::uint64_t kIndirectIteration = 3 * kPilotIteration;        // random numbers of its own
 constexpr std::int64_t kLeastPhotons = 1 << 11, kMostPhotons = 1 << 13;  // of each kind: a tenth of an iteration
-constexpr std::int64_t kPathsPerTrace = 1 << 5;
-constexpr double kLater = 0.55;      // of the initial radius: that after 64 iterations
+constexpr std::int64_t kPhotonsPerTrace = 1 << 5;
+constexpr double kNarrower = 0.55;   // of the initial radius: that after 64 iterations
 constexpr double kMostOfWork = 0.8;  // to the same variance, or photons bring it all
 constexpr double kWorkOfPhoton = 2;  // of a photon's segment, with the map and its gathers, over that of a camera ray
 
@@ -31,10 +31,10 @@ struct Seen {
   double rays = 0;  // per pixel
 };
 
-class Pilot {
+class IndirectPilot {
  public:
-  Pilot(const Scene& scene, const RenderSettings& render, const PhotonSettings& photon,
-        const HitPointSettings& hit_point, std::int64_t photons, const EmissionGuides& guides)
+  IndirectPilot(const Scene& scene, const RenderSettings& render, const PhotonSettings& photon,
+                const HitPointSettings& hit_point, std::int64_t photons, const EmissionGuides& guides)
       : scene_(scene),
         pixels_(render, few_pixels(render)),
         rays_(scene, {}),
@@ -47,7 +47,7 @@ class Pilot {
     hit_point_.direct = &rays_;
     hit_point_.frames = photon_.frames = few_frames(scene);
     photon_.stream = Stream::pilot, photon_.guides = &guides, photon_.direct = nullptr, photon_.keep_ends = false;
-    photon_.paths_per_trace = kPathsPerTrace;
+    photon_.paths_per_trace = kPhotonsPerTrace;
   }
 
   bool paths_pay() {
@@ -72,7 +72,7 @@ class Pilot {
     HitPointSettings settings = hit_point_;
     settings.go_on = go_on;
     Seen seen;
-    seen.tiles = pixels_.trace(scene_, settings, kFirstIteration + static_cast<std::uint64_t>(again));
+    seen.tiles = pixels_.trace(scene_, settings, kIndirectIteration + static_cast<std::uint64_t>(again));
     seen.light.resize(pilot_pixels() * frames());
     for (const HitPointTile& tile : seen.tiles) {
       for (const SeenLight& light : tile.seen)
@@ -116,7 +116,7 @@ class Pilot {
       });
     });
     const double squares = std::accumulate(of_traces.begin(), of_traces.end(), 0.0);
-    const double narrower = static_cast<double>(scale()) / kLater;
+    const double narrower = static_cast<double>(scale()) / kNarrower;
     return squares / static_cast<double>(pilot_photons_) / photons_ * narrower * narrower;
   }
 
@@ -140,7 +140,7 @@ class Pilot {
     if (kinds == traced_) return traces_;
     PhotonSettings photon = photon_;
     photon.kinds = kinds;
-    traces_ = trace_photons(scene_, photon, kFirstIteration, 0, pilot_photons_, std::move(traces_));
+    traces_ = trace_photons(scene_, photon, kIndirectIteration, 0, pilot_photons_, std::move(traces_));
     traced_ = kinds;
     return traces_;
   }
@@ -183,7 +183,7 @@ class Pilot {
 
 bool paths_that_go_on_pay(const Scene& sample, const RenderSettings& render, const PhotonSettings& photon,
                           const HitPointSettings& hit_point, std::int64_t photons, const EmissionGuides& guides) {
-  return Pilot(sample, render, photon, hit_point, photons, guides).paths_pay();
+  return IndirectPilot(sample, render, photon, hit_point, photons, guides).paths_pay();
 }
 
 }  // namespace dspm

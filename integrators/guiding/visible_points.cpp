@@ -12,7 +12,7 @@
 namespace dspm {
 namespace {
 
-constexpr std::int64_t kAtOnce = 1 << 12;
+constexpr std::int64_t kPlacesAtOnce = 1 << 12;
 
 }  // namespace
 
@@ -53,17 +53,18 @@ VisiblePoints::VisiblePoints(std::span<const HitPointTile> tiles, std::vector<Hi
   parallel_for(static_cast<std::int64_t>(sizes_.size()), 1, [&](std::int64_t i) {
     OneSize& size = sizes_[static_cast<std::size_t>(i)];
     UntouchedVector<Vec3> places(size.points.size());
-    std::vector<float> most2(static_cast<std::size_t>(chunk_count(static_cast<std::int64_t>(places.size()), kAtOnce)));
-    parallel_for(static_cast<std::int64_t>(places.size()), kAtOnce, [&](std::int64_t p) {
+    std::vector<float> most2(
+        static_cast<std::size_t>(chunk_count(static_cast<std::int64_t>(places.size()), kPlacesAtOnce)));
+    parallel_for(static_cast<std::int64_t>(places.size()), kPlacesAtOnce, [&](std::int64_t p) {
       const Point& point = size.points[static_cast<std::size_t>(p)];
       places[static_cast<std::size_t>(p)] = point.hit->p;
-      float& largest = most2[static_cast<std::size_t>(p / kAtOnce)];
+      float& largest = most2[static_cast<std::size_t>(p / kPlacesAtOnce)];
       largest = std::max(largest, point.radius2);
     });
     for (const float largest : most2) size.most2 = std::max(size.most2, largest);
     size.grid.build(places, std::sqrt(size.most2));
     UntouchedVector<Point> sorted(places.size());
-    parallel_for(static_cast<std::int64_t>(places.size()), kAtOnce, [&](std::int64_t place) {
+    parallel_for(static_cast<std::int64_t>(places.size()), kPlacesAtOnce, [&](std::int64_t place) {
       const auto at = static_cast<std::size_t>(place);
       sorted[at] = size.points[size.grid.order()[at]];
     });

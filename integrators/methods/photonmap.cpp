@@ -26,8 +26,6 @@
 namespace dspm {
 namespace {
 
-enum Step { kPhotonMaps, kHitPoints, kGather };
-
 struct PhotonMapSettings {
   int iterations = 256;
   int photons = 300000, caustic_photons = 300000;  // paths
@@ -114,6 +112,8 @@ MemoryNeeds needs_of(const PhotonMapSettings& s, const Scene& scene, const Rende
 }
 
 class PhotonMapper final : public SummingIntegrator {
+  enum Step { kPhotonMaps, kHitPoints, kGather };
+
  public:
   PhotonMapper(const PhotonMapSettings& settings, const Scene& scene, const RenderSettings& render)
       : SummingIntegrator(scene, render, statistics_at_start(settings, scene, render)),

@@ -16,9 +16,9 @@
 namespace dspm {
 namespace {
 
-enum Step { kEmission, kHitPoints, kPhotons, kPhotonMap, kStatistics };
-
 class Progressive final : public Integrator {
+  enum Step { kEmission, kHitPoints, kPhotons, kPhotonMap, kStatistics };
+
  public:
   Progressive(const ProgressiveSettings& settings, const Scene& scene, const RenderSettings& render,
               const EstimatorKind& estimator)

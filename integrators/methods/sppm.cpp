@@ -30,9 +30,9 @@ PassSums gather_at_one(const HitPoint& hit, const Scattering* scattering, const 
   return sums;
 }
 
-class Hj09 final : public PixelEstimator {
+class SppmHj09 final : public PixelEstimator {
  public:
-  explicit Hj09(const EstimatorSettings& of)
+  explicit SppmHj09(const EstimatorSettings& of)
       : PixelEstimator(of), pixels_(of.pixel_frames()), passes_(of.batched ? of.pixel_frames() : 0) {
     assert(of.frames == 1);
   }
@@ -90,9 +90,11 @@ class Hj09 final : public PixelEstimator {
   std::vector<PassSums> passes_;  // of the iteration so far, if its photons come in batches
 };
 
-class Kz11 final : public PixelEstimator {
+class SppmKz11 final : public PixelEstimator {
  public:
-  explicit Kz11(const EstimatorSettings& of) : PixelEstimator(of), sums_(of.pixel_frames()) { assert(of.frames == 1); }
+  explicit SppmKz11(const EstimatorSettings& of) : PixelEstimator(of), sums_(of.pixel_frames()) {
+    assert(of.frames == 1);
+  }
   static std::size_t bytes(const EstimatorSettings& of) { return of.pixel_frames() * sizeof(Rgb); }
 
   float search_radius2(const HitPoint& hit) const override { return of_.radius->squared(hit.radius); }
@@ -130,7 +132,8 @@ class Kz11 final : public PixelEstimator {
 
 std::unique_ptr<Integrator> make_sppm(ParamReader& params, const Scene& scene, const RenderSettings& render) {
   const ProgressiveSettings settings = read_progressive_settings(params, render);
-  return make_progressive(settings, scene, render, settings.kz11 ? estimator_kind<Kz11>() : estimator_kind<Hj09>());
+  return make_progressive(settings, scene, render,
+                          settings.kz11 ? estimator_kind<SppmKz11>() : estimator_kind<SppmHj09>());
 }
 
 }  // namespace dspm

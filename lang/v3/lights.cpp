@@ -46,7 +46,7 @@ Spectrum of_pairs(const std::vector<float>& pairs) {
 }
 
 /// Leaves the hue in the parameter, and returns the strength that v4 takes away from it.
-float take_strength(Edit& edit, const std::string& name) {
+float take_light_strength(Edit& edit, const std::string& name) {
   const Param* const param = edit.find(name);
   const auto* values = param != nullptr ? std::get_if<std::vector<float>>(&param->values) : nullptr;
   if (param != nullptr && param->type == ParamType::spectrum && values == nullptr)
@@ -63,8 +63,8 @@ float take_strength(Edit& edit, const std::string& name) {
 bool is_grey(const Rgb& c) { return c.r == c.g && c.g == c.b; }
 
 /// Splits v3's scale, which is a colour; v4's is a number.
-void scale(Edit& edit, const std::string& colour) {
-  const float strength = take_strength(edit, colour);
+void scale_light(Edit& edit, const std::string& colour) {
+  const float strength = take_light_strength(edit, colour);
   const bool has_map = edit.find("filename") != nullptr;
   Rgb factor = edit.constant("scale").value_or(Rgb(1)) * strength;
   edit.take("scale");
@@ -102,7 +102,7 @@ void translate_light(Edit& edit) {
   if (rule == std::end(kLights)) return;
   edit.apply(*rule);
   const bool has_intensity = rule->words.starts_with("I");
-  scale(edit, has_intensity ? "I" : "L");
+  scale_light(edit, has_intensity ? "I" : "L");
   // v3's maps are of latitude and longitude; v4 knows only the octahedral ones, dspm both.
   if (from == "infinite" && edit.find("filename") != nullptr)
     edit.set(ParamType::text, "mapping", std::vector<std::string>{"equirectangular"});

@@ -59,7 +59,7 @@ void coat(Edit& edit, float f0) {
 }
 
 /// Takes out the strength of a lobe; it is 1 for a texture.
-float take_strength(Edit& edit, std::string_view name) {
+float take_lobe_strength(Edit& edit, std::string_view name) {
   const auto value = edit.constant(name);
   edit.take(name);
   return value ? mean(*value) : 1;
@@ -67,14 +67,14 @@ float take_strength(Edit& edit, std::string_view name) {
 
 void plastic(Edit& edit) {
   edit.only_close("plastic (its lobes become a coat over a matte ground)");
-  coat(edit, take_strength(edit, "Ks") * f0_of(1.5f));
+  coat(edit, take_lobe_strength(edit, "Ks") * f0_of(1.5f));
 }
 
 /// Translates a substrate: Ks is what it reflects head-on [Ashikhmin and Shirley 2000].
 void substrate(Edit& edit) {
   edit.only_close("substrate (its lobes become a coat over a matte ground)");
   const bool is_texture = !edit.texture("Ks").empty();
-  const float strength = take_strength(edit, "Ks");
+  const float strength = take_lobe_strength(edit, "Ks");
   coat(edit, is_texture ? f0_of(1.5f) : strength);
 }
 
@@ -129,7 +129,7 @@ void uber(Edit& edit) {
   if (edit.find("opacity") != nullptr && !opacity) edit.only_close("uber (opacity by a texture has no effect)");
   edit.take("opacity");
   const auto matte = edit.constant("reflectance"), through = edit.constant("Kt");
-  const float rough = take_strength(edit, "Ks"), smooth = take_strength(edit, "Kr"),
+  const float rough = take_lobe_strength(edit, "Ks"), smooth = take_lobe_strength(edit, "Kr"),
               eta = edit.number("eta").value_or(1.5f);
   edit.take("Kt");
   if (through && mean(*through) > (matte ? mean(*matte) : 1)) {
@@ -239,7 +239,7 @@ void name_metals(Edit& edit) {
   }
 }
 
-void finish(Edit& edit, std::string_view from) {
+void finish_material(Edit& edit, std::string_view from) {
   if (from == "glass") glass(edit);
   if (from == "plastic") plastic(edit);
   if (from == "substrate") substrate(edit);
@@ -263,7 +263,7 @@ void translate_material(Edit& edit) {
   if (rule == std::end(kMaterials)) return;
   edit.apply(*rule);
   if (rule->words.find("remaproughness") != rule->words.npos) convert_roughness(edit);
-  finish(edit, from);
+  finish_material(edit, from);
 }
 
 }  // namespace dspm::v3

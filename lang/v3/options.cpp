@@ -62,7 +62,7 @@ std::span<const Rule> rules_of(DirectiveKind kind) {
   }
 }
 
-void finish(Edit& edit, std::string_view from) {
+void finish_option(Edit& edit, std::string_view from) {
   if (from == "environment") edit.set(ParamType::text, "mapping", std::vector<std::string>{"equirectangular"});
   if (from == "realistic" && edit.find(kSimpleWeighting) == nullptr)
     edit.set(ParamType::boolean, std::string(kSimpleWeighting), std::vector<bool>{true});
@@ -130,7 +130,7 @@ void translate_option(Edit& edit) {
   const auto rule = std::find_if(rules.begin(), rules.end(), [&](const Rule& each) { return each.from == from; });
   if (rule == rules.end()) return;
   edit.apply(*rule);
-  finish(edit, from);
+  finish_option(edit, from);
 }
 
 void settle_header(Header& header, Remarks& remarks) {

@@ -44,7 +44,7 @@ void imagemap(Edit& edit) {
 }
 
 /// Translates a product, because v4 multiplies a texture by a texture of numbers only.
-void scale(Edit& edit) {
+void translate_scale(Edit& edit) {
   const bool is_colour = edit.directive().words[1].text == "spectrum";
   const auto rename = [&](std::string_view from, const std::string& to) {
     if (auto param = edit.take(from)) {
@@ -100,7 +100,7 @@ void translate_texture(Edit& edit) {
   if (rule == std::end(kTextures)) return;
   edit.apply(*rule);
   if (from == "imagemap") imagemap(edit);
-  if (from == "scale") scale(edit);
+  if (from == "scale") translate_scale(edit);
   if (from == "uv") uv(edit);
   if (from == "ptex")
     if (const auto gamma = edit.number("gamma")) {

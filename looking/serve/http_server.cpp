@@ -26,7 +26,7 @@ using std::chrono::milliseconds;
 
 // A viewer's connections each hold a thread: one for events, one that waits for pictures, others for a moment.
 constexpr std::size_t kMostConnections = 48;
-constexpr milliseconds kForFarewell(1000), kAfterFailure(50);
+constexpr milliseconds kForFarewells(1000), kAfterFailure(50);
 
 /// Keeps connections from programs that dspm starts.
 void keep_from_programs(int descriptor) { fcntl(descriptor, F_SETFD, FD_CLOEXEC); }
@@ -60,7 +60,7 @@ struct HttpServer::Impl {
     std::unique_lock lock(mutex);
     for (const Served& each : served)
       if (each.connection->waits_since()) each.connection->end();
-    changed.wait_for(lock, kForFarewell, [this] { return all_over(); });
+    changed.wait_for(lock, kForFarewells, [this] { return all_over(); });
     for (const Served& each : served) each.connection->end();
     lock.unlock();
     for (Served& each : served) each.thread.join();

@@ -36,11 +36,11 @@ const char* type_of(std::string_view name) {
 }
 
 /// Counts those who hold a thread for long.
-class Places {
+class Seats {
  public:
   std::shared_ptr<void> take() {
     if (taken_.fetch_add(1) >= kMostViewers) return --taken_, nullptr;
-    return {this, [](Places* places) { --places->taken_; }};
+    return {this, [](Seats* seats) { --seats->taken_; }};
   }
 
  private:
@@ -174,7 +174,7 @@ struct Server::Impl {
   Gallery& gallery;
   Board& board;
   Orders& orders;
-  Places viewers, waiting;
+  Seats viewers, waiting;
   std::map<std::string, Handler> get, post;  // by what follows the token
   HttpServer http;
   Access access;

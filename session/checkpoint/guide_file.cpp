@@ -17,9 +17,9 @@
 namespace dspm {
 namespace {
 
-// The file holds kMagic, a digest of the rest, the scene's facts, and what was learned.
-constexpr std::string_view kMagic = "dspm guide 3\n";
-constexpr const char* kWayOut =
+// The file holds kGuideMagic, a digest of the rest, the scene's facts, and what was learned.
+constexpr std::string_view kGuideMagic = "dspm guide 3\n";
+constexpr const char* kSameScene =
     "a guide suits only the scene that it was learned for; without --guide, dspm learns anew";
 
 void persist(std::vector<Fact>& facts, FileSample& learned, StateStream& state) {
@@ -36,8 +36,8 @@ std::string digest_in_bytes(std::string_view bytes) {
 
 /// Returns the bytes without the magic and the digest.
 std::string_view content_of(std::string_view bytes) {
-  if (!bytes.starts_with(kMagic)) throw std::runtime_error("it is not a guide of this version of dspm");
-  bytes.remove_prefix(kMagic.size());
+  if (!bytes.starts_with(kGuideMagic)) throw std::runtime_error("it is not a guide of this version of dspm");
+  bytes.remove_prefix(kGuideMagic.size());
   const std::size_t size = std::min(sizeof(std::uint64_t), bytes.size());
   const std::string_view content = bytes.substr(size);
   if (bytes.substr(0, size) != digest_in_bytes(content)) throw std::runtime_error("it is damaged");
@@ -53,7 +53,7 @@ void save_guide(const std::filesystem::path& path, const Job& job) {
   std::vector<Fact> facts = facts_of_scene(job, job.description->frames.base());
   SavedState content;
   persist(facts, *job.settings.file, content);
-  write_file(path, std::string(kMagic) + digest_in_bytes(content.all) + content.all);
+  write_file(path, std::string(kGuideMagic) + digest_in_bytes(content.all) + content.all);
 }
 
 void load_guide(const std::filesystem::path& path, const Job& job) {
@@ -68,7 +68,7 @@ void load_guide(const std::filesystem::path& path, const Job& job) {
     throw std::runtime_error(fmt::format("guide {}: {}", path.string(), error.what()));
   }
   Diagnostics diagnostics;
-  compare(then, facts_of_scene(job, job.description->frames.base()), diagnostics, {"the guide", kWayOut});
+  compare(then, facts_of_scene(job, job.description->frames.base()), diagnostics, {"the guide", kSameScene});
   diagnostics.throw_if_errors();
 }
 

@@ -12,7 +12,7 @@
 namespace dspm {
 namespace {
 
-constexpr const char* kWayOut = "parts are merged only with the scene and the options that they were rendered with";
+constexpr const char* kSameForAll = "parts are merged only with the scene and the options that they were rendered with";
 
 std::string name_of(const CheckpointFile& file) { return file.path().string(); }
 
@@ -66,10 +66,10 @@ void MergedParts::expect_same(const Job& job) {
   const MovedFrames places(then, job.description->frames);
   for (std::size_t c = 0; c < places.combinations().size(); ++c)
     if (!places.combinations()[c])
-      diagnostics.error({}, fmt::format("variation {} of the parts is not there any more", then.names[c]), kWayOut);
+      diagnostics.error({}, fmt::format("variation {} of the parts is not there any more", then.names[c]), kSameForAll);
   diagnostics.throw_if_errors();
   const std::vector<Fact> now = facts_of(job, then.all());
-  for (const auto& file : files_) compare(file->render().facts, now, diagnostics, {file->path().c_str(), kWayOut});
+  for (const auto& file : files_) compare(file->render().facts, now, diagnostics, {file->path().c_str(), kSameForAll});
   diagnostics.throw_if_errors();
   expect_frames(files_.front()->intervals(), name_of(*files_.front()));
   for (const IntervalState& state : files_.front()->intervals()) intervals_.push_back(places.of(state.places.frames));

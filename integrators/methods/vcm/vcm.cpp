@@ -46,8 +46,6 @@
 namespace dspm {
 namespace {
 
-enum Step { kEmission, kLightPaths, kMap, kCameraPaths };
-
 /// Returns a part of the median of the radii that dsppm begins with, over frames of the whole file: whichever frames
 /// are rendered, all their light paths have the same weights. Merging pays where connections fail, and costs
 /// everywhere.
@@ -101,6 +99,8 @@ std::size_t light_path_bytes(const VcmSettings& settings, const Scene& scene, co
 }
 
 class Vcm final : public SummingIntegrator {
+  enum Step { kEmission, kLightPaths, kMap, kCameraPaths };
+
  public:
   /// `sample` is the sample of the file, or null if none has been made.
   Vcm(const VcmSettings& settings, const Scene& scene, const RenderSettings& render,
