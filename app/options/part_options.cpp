@@ -6,7 +6,7 @@
 
 #include "dspm/app/options/option_group.h"
 #include "dspm/app/options/option_values.h"
-#include "dspm/app/tasks/farm.h"
+#include "dspm/app/tasks/tasks.h"
 
 namespace dspm {
 namespace {

@@ -1,6 +1,6 @@
 // The options that say what to do instead of rendering.
 #include "dspm/app/options/option_group.h"
-#include "dspm/app/tasks/completion.h"
+#include "dspm/app/tasks/tasks.h"
 
 namespace dspm {
 namespace {

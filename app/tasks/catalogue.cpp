@@ -1,10 +1,9 @@
-#include "dspm/app/tasks/catalogue.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <vector>
 
+#include "dspm/app/tasks/tasks.h"
 #include "dspm/base/params/errors.h"
 #include "dspm/lang/described_options.h"
 #include "dspm/session/job/sampler.h"

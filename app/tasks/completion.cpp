@@ -1,5 +1,3 @@
-#include "dspm/app/tasks/completion.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 
 #include "dspm/app/options/option_facts.h"
 #include "dspm/app/options/options.h"
+#include "dspm/app/tasks/tasks.h"
 #include "dspm/app/tasks/templates.h"
 
 namespace dspm {

@@ -1,5 +1,3 @@
-#include "dspm/app/tasks/doctor.h"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -12,6 +10,7 @@
 
 #include "dspm/accel/embree_version.h"
 #include "dspm/app/tasks/optional_parts.h"
+#include "dspm/app/tasks/tasks.h"
 #include "dspm/app/tasks/version_text.h"
 #include "dspm/base/params/errors.h"
 #include "dspm/base/system/cpu_quota.h"

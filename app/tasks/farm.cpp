@@ -1,9 +1,9 @@
-#include "dspm/app/tasks/farm.h"
-
 #include <fmt/format.h>
 
 #include <filesystem>
 
+#include "dspm/app/options/options.h"
+#include "dspm/app/tasks/tasks.h"
 #include "dspm/app/tasks/templates.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/session/can_part.h"

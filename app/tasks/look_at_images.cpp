@@ -1,7 +1,7 @@
-#include "dspm/app/tasks/look_at_images.h"
-
 #include <algorithm>
 
+#include "dspm/app/options/options.h"
+#include "dspm/app/tasks/tasks.h"
 #include "dspm/base/system/standard_streams.h"
 #include "dspm/looking/image_tasks.h"
 #include "dspm/looking/shown_file.h"

@@ -1,9 +1,8 @@
-#include "dspm/app/tasks/manual_page.h"
-
 #include <fmt/format.h>
 
 #include "dspm/app/options/option_facts.h"
 #include "dspm/app/options/options.h"
+#include "dspm/app/tasks/tasks.h"
 #include "dspm/base/system/version.h"
 
 namespace dspm {

@@ -1,11 +1,11 @@
-#include "dspm/app/tasks/merge.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "dspm/app/options/options.h"
 #include "dspm/app/run/render.h"
 #include "dspm/app/run/run.h"
+#include "dspm/app/tasks/tasks.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/base/system/readable.h"
 #include "dspm/output/results.h"

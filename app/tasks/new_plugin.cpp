@@ -1,10 +1,9 @@
-#include "dspm/app/tasks/new_plugin.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <vector>
 
+#include "dspm/app/tasks/tasks.h"
 #include "dspm/app/tasks/templates.h"
 #include "dspm/base/params/errors.h"
 #include "dspm/base/system/atomic_file.h"

@@ -1,7 +1,7 @@
-#include "dspm/app/tasks/plan.h"
-
 #include <chrono>
 
+#include "dspm/app/options/options.h"
+#include "dspm/app/tasks/tasks.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/session/load.h"
 #include "dspm/session/plan_parts.h"

@@ -1,16 +1,17 @@
-#include "dspm/app/tasks/relight.h"
+#include "dspm/output/relight.h"
 
 #include <fmt/format.h>
 
 #include <filesystem>
 #include <vector>
 
+#include "dspm/app/options/options.h"
+#include "dspm/app/tasks/tasks.h"
 #include "dspm/base/params/errors.h"
 #include "dspm/base/system/extension.h"
 #include "dspm/looking/shown_file.h"
 #include "dspm/output/group_factor.h"
 #include "dspm/output/name_template.h"
-#include "dspm/output/relight.h"
 #include "dspm/output/relit_names.h"
 #include "dspm/output/view.h"
 #include "dspm/session/distinct_files.h"

@@ -1,9 +1,9 @@
-#include "dspm/app/tasks/to_dsc.h"
-
 #include <fmt/format.h>
 
 #include <filesystem>
 
+#include "dspm/app/options/options.h"
+#include "dspm/app/tasks/tasks.h"
 #include "dspm/base/system/atomic_file.h"
 #include "dspm/base/system/readable.h"
 #include "dspm/lang/formatter.h"

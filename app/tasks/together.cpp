@@ -1,5 +1,3 @@
-#include "dspm/app/tasks/together.h"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -7,11 +5,14 @@
 #include <csignal>
 #include <exception>
 
+#include "dspm/app/options/options.h"
 #include "dspm/app/run/render.h"
 #include "dspm/app/run/signals.h"
+#include "dspm/app/tasks/tasks.h"
 #include "dspm/base/system/cancellation.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/session/machines/helper.h"
+#include "dspm/session/machines/link.h"
 #include "dspm/world/objects/kept_geometry.h"
 
 namespace dspm {

@@ -1,11 +1,10 @@
 // What --list and --describe print: lines in columns.
-#include "dspm/app/tasks/catalogue.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <sstream>
 
+#include "dspm/app/tasks/tasks.h"
 #include "dspm/base/params/errors.h"
 #include "dspm/session/modules/all_plugins.h"
 

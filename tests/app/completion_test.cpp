@@ -1,32 +1,27 @@
 // Shells that complete dspm's options, and the manual page: they name what --help names.
-#include "dspm/app/tasks/completion.h"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstdio>
 #include <regex>
 #include <set>
 #include <sstream>
 
 #include "dspm/app/options/option_facts.h"
 #include "dspm/app/options/options.h"
-#include "dspm/app/tasks/manual_page.h"
+#include "dspm/app/tasks/tasks.h"
 #include "dspm/base/system/find_program.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/process.h"
 
 namespace dspm::test {
 namespace {
 
 using Words = std::set<std::string>;
 
-std::string output_of(const std::string& command) {
-  std::string text;
-  FILE* const pipe = popen(command.c_str(), "r");
-  std::array<char, 4096> bytes;
-  while (const std::size_t count = fread(bytes.data(), 1, bytes.size(), pipe)) text.append(bytes.data(), count);
-  return pclose(pipe) == 0 ? text : "failed: " + text;
+/// Returns all that the command says.
+std::string output_of(const TemporaryDirectory& directory, const std::string& command) {
+  const int code = shell(directory, command);
+  const std::string text = contents(directory / "out.txt") + contents(directory / "err.txt");
+  return code == 0 ? text : "failed: " + text;
 }
 
 Words words_of(const std::string& text) {
@@ -49,7 +44,7 @@ Words offered(const std::string& words) {
   put_file(directory / "ask",
            "compopt() { echo \"[$2]\"; }\n. \"$(dirname \"$0\")/dspm\"\nCOMP_WORDS=(dspm " + words +
                ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_dspm\nprintf '%s\\n' \"${COMPREPLY[@]}\"\n");
-  return words_of(output_of("bash '" + (directory / "ask").string() + "' 2>&1"));
+  return words_of(output_of(directory, "bash ./ask"));
 }
 
 TEST(Completion, OfBashOffersNames) {
@@ -69,11 +64,11 @@ TEST(Completion, OfBashOffersValues) {
 }
 
 TEST(Completion, IsAScriptOfItsShell) {
-  for (const std::string& shell : completing_shells()) {
-    if (find_program(shell).empty()) continue;
+  for (const std::string& name : completing_shells()) {
+    if (find_program(name).empty()) continue;
     const TemporaryDirectory directory;
-    put_file(directory / "script", completion_for(shell));
-    EXPECT_EQ(output_of(shell + " -n '" + (directory / "script").string() + "' 2>&1"), "") << shell;
+    put_file(directory / "script", completion_for(name));
+    EXPECT_EQ(output_of(directory, name + " -n script"), "") << name;
   }
 }
 

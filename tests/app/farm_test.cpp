@@ -1,8 +1,6 @@
 // --farm: jobs that farms run as they are. Slurm's by Slurm itself, where it is installed; and by a stand-in anywhere.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "dspm/image/exr.h"
 #include "dspm/image/image.h"
 #include "dspm/session/checkpoint/checkpoint_file.h"
@@ -61,9 +59,11 @@ slurmctld -f slurm.conf && slurmd -f slurm.conf || exit 77
 for i in $(seq 100); do sinfo -h -o %t | grep -q idle && exit 0; sleep .1; done
 exit 77
 )");
-    started_ = shell("sh start > start.log 2>&1") == 0;
+    started_ = shell(directory_, "sh start > start.log 2>&1") == 0;
   }
-  ~Slurm() { shell("for daemon in slurmd slurmctld munged; do kill $(cat $daemon.pid); done 2> /dev/null"); }
+  ~Slurm() {
+    shell(directory_, "for daemon in slurmd slurmctld munged; do kill $(cat $daemon.pid); done 2> /dev/null");
+  }
   Slurm(const Slurm&) = delete;
   Slurm& operator=(const Slurm&) = delete;
 
@@ -71,19 +71,12 @@ exit 77
   std::string conf() const { return (directory_ / "slurm.conf").string(); }
 
  private:
-  int shell(const std::string& command) const {
-    return std::system(("cd " + (directory_ / "").string() + " && " + command).c_str());
-  }
-
   TemporaryDirectory directory_;
   bool started_ = false;
 };
 
 class Farm : public testing::Test {
  protected:
-  int shell(const std::string& command) const {
-    return std::system(("cd " + (directory / "").string() + " && " + command).c_str());
-  }
   void write_job(const Arguments& arguments) {
     const Outcome outcome = run(directory, Arguments{"tiny.dsc", "--farm", "slurm"} + arguments);
     ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -111,7 +104,7 @@ TEST_F(Farm, JobsArePartsAndTheirMerge) {
   std::filesystem::permissions(directory / "bin/sbatch", std::filesystem::perms::owner_all);
   const std::string call = "mkdir -p run && cp tiny.dsc run && cd run && PATH=../bin:$PATH sh ../farm.sh --time 5";
   write_job({"--parts", "3", "--iterations", "6", "--seed=9", "--float", "-o", "../it's.exr", "--png"});
-  ASSERT_EQ(shell(call), 0);
+  ASSERT_EQ(shell(directory, call), 0);
   EXPECT_EQ(contents(directory / "calls"),
             "--parsable --job-name dspm-part --array 1-3 --requeue --time 5\n"
             "--parsable --job-name dspm-merge --dependency afterany:7\n");
@@ -119,7 +112,7 @@ TEST_F(Farm, JobsArePartsAndTheirMerge) {
   EXPECT_TRUE(directory.has("it's.0002.png"));
 
   write_job({"--parts", "3", "--iterations", "12", "--seed=9", "--float", "-o", "../it's.exr"});
-  ASSERT_EQ(shell(call), 0) << "parts go on";
+  ASSERT_EQ(shell(directory, call), 0) << "parts go on";
   expect_images({"--iterations", "12", "--seed", "9"}, 12);
 }
 
@@ -129,14 +122,15 @@ TEST_F(Farm, SlurmRunsThemAndPartsGoOnThatWereKilled) {
     GTEST_SKIP() << "SKIPPED: no Slurm can be started here (slurmctld, slurmd, slurm-client, munge)";
   const std::string conf = "SLURM_CONF=" + slurm.conf() + " ";
   write_job({"--parts", "2", "--iterations", "600", "--float", "-o", "it's.exr", "--checkpoint-every", "1"});
-  ASSERT_EQ(shell(conf + "sh farm.sh > submitted"), 0);
+  ASSERT_EQ(shell(directory, conf + "sh farm.sh > submitted"), 0);
   const std::filesystem::path part = directory / "tiny.parts/1-of-2.ck";
   ASSERT_TRUE(comes_true(
       [&] { return std::filesystem::exists(part) && CheckpointFile(part).intervals().front().iterations > 2; }));
-  ASSERT_EQ(shell(conf + "scontrol requeue $(sed 's/parts: \\([0-9]*\\).*/\\1/' submitted)_1 2> requeued"), 0)
+  ASSERT_EQ(shell(directory, conf + "scontrol requeue $(sed 's/parts: \\([0-9]*\\).*/\\1/' submitted)_1 2> requeued"),
+            0)
       << contents(directory / "requeued");
   ASSERT_TRUE(appears(directory / "it's.0003.exr"));
-  ASSERT_TRUE(comes_true([&] { return shell(conf + "test -z \"$(squeue -h)\"") == 0; }));
+  ASSERT_TRUE(comes_true([&] { return shell(directory, conf + "test -z \"$(squeue -h)\"") == 0; }));
   expect_images({"--iterations", "600"}, 600);
 }
 
@@ -151,10 +145,10 @@ TEST_F(Farm, OtherKindsAreWhatTheirSchedulersTake) {
                                         "--float", "-o", "it's.exr", "--farm", kind});
     ASSERT_EQ(job.code, 0) << job.err;
     put_file(directory / "job", job.out);
-    const int code = WEXITSTATUS(shell(scheduler + " job > tasks"));
+    const int code = shell(directory, scheduler + " job > tasks");
     if (code == 77 || code == 127) GTEST_SKIP() << "SKIPPED: it takes node, and python3 with yaml";
     ASSERT_EQ(code, 0) << kind << "\n" << job.out;
-    ASSERT_EQ(shell("sh tasks > said 2>&1"), 0) << contents(directory / "said");
+    ASSERT_EQ(shell(directory, "sh tasks > said 2>&1"), 0) << contents(directory / "said");
     std::filesystem::copy(directory / "a \"tiny\" $one.dsc", directory / "tiny.dsc",
                           std::filesystem::copy_options::overwrite_existing);
     expect_images({"--iterations", "6", "--seed", "9"}, 6);
@@ -172,7 +166,7 @@ TEST_F(Farm, AnotherNumberOfPartsBeginsAnew) {
   const std::string call = "mkdir -p run && cp tiny.dsc run && cd run && PATH=../bin:$PATH sh ../farm.sh > said";
   for (const char* parts : {"2", "3"}) {
     write_job({"--parts", parts, "--iterations", "6", "--float", "-o", "../it's.exr"});
-    ASSERT_EQ(shell(call), 0);
+    ASSERT_EQ(shell(directory, call), 0);
     expect_images({"--iterations", "6"}, 6);
   }
 }

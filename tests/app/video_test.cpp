@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 
+#include "dspm/base/system/find_program.h"
 #include "dspm/image/encoding.h"
 #include "tests/support/fake_ffmpeg.h"
 #include "tests/support/process.h"
@@ -138,7 +139,7 @@ TEST(VideoOption, AFailureCostsNoImages) {
 }
 
 TEST(VideoOption, FfmpegTakesEvenASinglePixel) {
-  if (std::system("ffmpeg -version >/dev/null 2>&1") != 0) GTEST_SKIP() << "ffmpeg is not installed";
+  if (find_program("ffmpeg").empty()) GTEST_SKIP() << "ffmpeg is not installed";
   const TinyDirectory directory;
   for (const char* window : {"0,12,0,8", "3,4,3,4"}) {
     const Outcome outcome = run(directory, {"tiny.dsc", "--pixelbounds", window, "--video", "tiny.mp4"});

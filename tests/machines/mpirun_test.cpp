@@ -1,8 +1,7 @@
 // dspm under mpirun, where Open MPI was there when it was built.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
+#include "dspm/base/system/find_program.h"
 #include "dspm/image/exr.h"
 #include "dspm/image/image.h"
 #include "tests/support/process.h"
@@ -14,17 +13,15 @@ class Mpirun : public testing::Test {
  protected:
   void SetUp() override {
     const std::filesystem::path module = std::filesystem::path(DSPM_BINARY).parent_path() / "libdspm_mpi.so";
-    if (!std::filesystem::exists(module) || std::system("mpirun --version > /dev/null 2>&1") != 0)
+    if (!std::filesystem::exists(module) || find_program("mpirun").empty())
       GTEST_SKIP() << "there is no Open MPI (libopenmpi-dev and openmpi-bin)";
   }
 
   /// The exit code; what was said is in out.txt and err.txt.
   int mpirun(int machines, const std::string& arguments) const {
-    return std::system(
-        ("cd " + (directory / "").string() +
-         " && OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe --bind-to none -n " +
-         std::to_string(machines) + " " DSPM_BINARY " -t 1 " + arguments + " > out.txt 2> err.txt")
-            .c_str());
+    return shell(directory,
+                 "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe --bind-to none -n " +
+                     std::to_string(machines) + " " DSPM_BINARY " -t 1 " + arguments);
   }
   std::vector<float> image(const std::string& name) const {
     std::vector<float> all;
@@ -87,10 +84,8 @@ TEST_F(Mpirun, WhatIsWrongIsSaidOnce) {
 }
 
 TEST_F(Mpirun, ASchedulersSingleProcessIsNoneOfMany) {
-  const std::string arguments = " tiny.dsc --part 1/2 --checkpoint part.ck > out.txt 2> err.txt";
-  EXPECT_EQ(std::system(("cd " + (directory / "").string() + " && PMIX_RANK=0 SLURM_STEP_NUM_TASKS=1 PMI_RANK=0 " +
-                         "PMI_SIZE=1 " DSPM_BINARY + arguments)
-                            .c_str()),
+  EXPECT_EQ(shell(directory, "PMIX_RANK=0 SLURM_STEP_NUM_TASKS=1 PMI_RANK=0 PMI_SIZE=1 " DSPM_BINARY
+                             " tiny.dsc --part 1/2 --checkpoint part.ck"),
             0)
       << contents(directory / "err.txt");
 }
@@ -101,7 +96,7 @@ TEST_F(Mpirun, ADeadHelperLeavesTheCheckpointWhole) {
     ASSERT_TRUE(appears(directory / "a.ck"));
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
     // The one that was started last; brackets keep the pattern from being found in this command.
-    EXPECT_EQ(std::system(("pkill -KILL -n -f '[-]o " + image + "'").c_str()), 0);
+    EXPECT_EQ(shell(TemporaryDirectory(), "pkill -KILL -n -f '[-]o " + image + "'"), 0);
   });
   EXPECT_NE(
       mpirun(2, "tiny.dsc --iterations 1000000 --time-limit 60s --checkpoint a.ck --checkpoint-every 4 -o " + image),

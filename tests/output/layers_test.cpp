@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "dspm/base/system/find_program.h"
 #include "dspm/image/exr.h"
 #include "dspm/integrators/output_info.h"
 #include "tests/support/process.h"
@@ -46,7 +47,7 @@ TEST(Layers, AreThoseThatWereAskedFor) {
 
 // Blender ignores channels of more than one letter without a layer, silently.
 TEST(Layers, AreAllSeenByBlender) {
-  if (std::system("command -v blender > /dev/null") != 0) GTEST_SKIP() << "Blender is not installed";
+  if (find_program("blender").empty()) GTEST_SKIP() << "Blender is not installed";
   const TinyDirectory directory;
   ASSERT_EQ(render(directory, {"--aov", "N,P,Z,albedo,uv,object,material,photons,radius"}).code, 0);
   put_file(directory / "sockets.py",
@@ -58,8 +59,7 @@ TEST(Layers, AreAllSeenByBlender) {
                (directory / kTinyImages[0]).string() +
                "')\n"
                "open('sockets.txt', 'w').write(' '.join(sorted(s.name for s in node.outputs if s.enabled)))\n");
-  const std::string folder = (directory / "").string();
-  ASSERT_EQ(std::system(("cd '" + folder + "' && blender -b --python sockets.py > blender.txt 2>&1").c_str()), 0)
+  ASSERT_EQ(shell(directory, "blender -b --python sockets.py > blender.txt 2>&1"), 0)
       << contents(directory / "blender.txt");
   EXPECT_EQ(contents(directory / "sockets.txt"), "Albedo Alpha Combined Depth N P material object photons radius u v");
 }

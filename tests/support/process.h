@@ -1,4 +1,4 @@
-// Runs dspm itself, as a user does, in a directory of its own.
+// Runs dspm itself, as a user does, in a directory of its own; and other programs there.
 #pragma once
 
 #include <fcntl.h>
@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -104,6 +105,14 @@ class Process {
 
 inline Outcome run(const TemporaryDirectory& directory, const std::vector<std::string>& arguments) {
   return Process(directory, arguments).wait();
+}
+
+/// Runs a shell's command in the directory. Returns its exit code, -signal where a signal ended it; what it says is in
+/// out.txt and err.txt unless it redirects that.
+inline int shell(const TemporaryDirectory& directory, const std::string& command) {
+  const std::string place = "cd '" + (directory / "").string() + "' && { ";
+  const int status = std::system((place + command + "\n} > out.txt 2> err.txt").c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 
 /// Within half a minute.
