@@ -44,15 +44,23 @@ for root in "$@"; do module_of "$root"; done
 # Copies what these files need, with its licence.
 needs() { LD_LIBRARY_PATH=$libraries ldd "$@" | sed -n 's/.* => \(\/[^ ]*\) (.*/\1/p' | sort -u; }
 is_everywhere='/(ld-linux.*|lib(c|m|dl|rt|pthread|stdc\+\+|gcc_s))\.so'
-needs "$folder/bin/dspm" "$libraries/libdspm.so" "$folder"/python/dspm/*.so | grep -vE "$is_everywhere|/libdspm\.so" |
-  while read -r library; do
-    cp -L "$library" "$libraries/"
-    patchelf --set-rpath '$ORIGIN' "$libraries/$(basename "$library")"
-    command -v dpkg-query >/dev/null || continue
-    package=$(dpkg-query -S "*/$(basename "$(realpath "$library")")" | sed "s/:.*//; q")
+mapfile -t needed < <(needs "$folder/bin/dspm" "$libraries/libdspm.so" "$folder"/python/dspm/*.so |
+  grep -vE "$is_everywhere|/libdspm\.so")
+for library in "${needed[@]}"; do
+  cp -L "$library" "$libraries/"
+  patchelf --set-rpath '$ORIGIN' "$libraries/$(basename "$library")"
+done
+# dpkg takes a second for a question, whatever it is, and knows some of the files below /lib, which is /usr/lib by now.
+if command -v dpkg-query >/dev/null; then
+  realpath "${needed[@]}" >"$work/files"
+  sed 'p; s|^/usr||' "$work/files" | xargs dpkg-query -S 2>/dev/null | grep -v '^diversion' >"$work/owners" || true
+  while read -r file; do
+    package=$(sed -n "s|:.* \(/usr\)\?${file#/usr}\$||p" "$work/owners" | head -n 1)
+    [[ $package ]] || { echo "no package holds $file, so its licence is unknown" >&2; exit 1; }
     mkdir -p "$folder/share/doc/libraries/$package"
     cp -L "/usr/share/doc/$package/copyright" "$folder/share/doc/libraries/$package/"
-  done
+  done <"$work/files"
+fi
 patchelf --set-rpath '$ORIGIN' "$libraries/libdspm.so"
 for module in "$folder"/python/dspm/*.so; do patchelf --set-rpath "$from_python" "$module"; done
 
