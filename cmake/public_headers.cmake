@@ -4,7 +4,8 @@
 set(public_headers
   accel/accel.h
   base/colour/colour_space.h base/colour/rgb.h base/colour/spectrum.h
-  base/math/bins.h base/math/frame_array.h base/math/frames.h base/math/ray.h base/math/rng.h base/math/sampling.h
+  base/math/bins.h base/math/frame_array.h base/math/frames.h base/math/owen.h base/math/ray.h base/math/rng.h
+  base/math/sampling.h
   base/math/transform.h base/math/vec.h base/math/vertex_data.h
   base/params/errors.h base/params/params.h base/params/registry.h
   base/system/cancellation.h base/system/files_read.h base/system/parallel.h base/system/state_stream.h
@@ -12,7 +13,7 @@ set(public_headers
   cameras/camera.h
   image/film/pixel_filter.h image/film/pixel_rect.h
   image/image.h
-  integrators/caught_light.h integrators/counters.h integrators/dimension.h integrators/emission_report.h
+  integrators/camera_numbers.h integrators/caught_light.h integrators/counters.h integrators/dimension.h integrators/emission_report.h
   integrators/integrator.h integrators/iteration.h integrators/light_groups.h integrators/output_info.h
   integrators/pixel_frames.h
   integrators/rejections.h integrators/seen_light.h integrators/statistics.h integrators/summed_iterations.h
@@ -45,6 +46,7 @@ set(toolkit_headers
   integrators/photons/final_gather.h integrators/photons/gather.h integrators/photons/hidden_light.h
   integrators/photons/hit_point.h integrators/photons/hit_point_tile.h integrators/photons/memory_needs.h
   integrators/photons/photon.h integrators/photons/photon_grid.h integrators/photons/photon_map.h
+  integrators/photons/photon_numbers.h
   integrators/photons/radiance_estimate.h integrators/photons/trace_hit_points.h integrators/photons/trace_photons.h
   integrators/transport/balance.h integrators/transport/body.h integrators/transport/branching_path.h
   integrators/transport/camera_path.h integrators/transport/direct_light.h integrators/transport/joint_path.h

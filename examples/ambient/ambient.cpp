@@ -7,6 +7,7 @@
 //   distance    how far away things can hide the sky 1e6, in scene units
 #include <dspm/base/math/sampling.h>
 #include <dspm/base/system/parallel.h>
+#include <dspm/integrators/camera_numbers.h>
 #include <dspm/integrators/integrator.h>
 #include <dspm/integrators/tiles.h>
 #include <dspm/session/modules/module.h>
@@ -59,8 +60,8 @@ class Ambient final : public Integrator {
   /// One camera ray of the pixel, in all frames.
   void look(const Iteration& iteration, int x, int y) {
     const Scene& scene = iteration.scene;
-    const PathRandom random(render_.seed, Stream::camera, camera_path_index(render_, x, y),
-                            static_cast<std::uint64_t>(iteration.number));
+    const PathRandom random =
+        camera_numbers(render_, render_.seed, x, y, static_cast<std::uint64_t>(iteration.number));
     const int pixel = pixel_in_crop(render_.crop, x, y);
     const Vec2 film = film_point(render_, x, y, random);
     scene.camera.for_each(scene.frames(), [&](FrameSet frames, const Camera& camera) {

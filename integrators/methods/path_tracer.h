@@ -98,9 +98,9 @@ class PathTracer {
     if (!is_finite(path.ray) || !is_light(path.throughput)) return reject(path, path.frames, vertex.material_element());
     path.leave(vertex, *sample);
     path.indirect = !limits_.indirect && !sample->specular;
-    if (!is_black(path.throughput) &&
-        survives(path, roulette_chance(path.throughput, path.eta_scale, bounce), path.random.number(bounce, kRoulette)))
-      set_out(path);
+    if (is_black(path.throughput)) return;
+    const float chance = roulette_chance(path.throughput, path.eta_scale, bounce);
+    if (chance >= 1 || survives(path, chance, path.random.number(bounce, kRoulette))) set_out(path);
   }
 
   void set_out(const CameraPath& path) {
