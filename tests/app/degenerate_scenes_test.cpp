@@ -27,7 +27,7 @@ Shape "disk" "float radius" 10 "float height" -6
 )";
 
 /// Geometry that is not there: the image is that of a scene without it.
-const Degenerate kNothing[] = {
+const Degenerate kNothingThere[] = {
     {"DegenerateTriangles", R"(Shape "trianglemesh" "integer indices" [0 1 2 0 0 1 3 4 5]
                                "point3 P" [0 0 0 0 0 0 0 0 0 -1 0 0 0 0 0 1 0 0])"},
     {"TinyTriangles", R"(Shape "trianglemesh" "integer indices" [0 1 2] "point3 P" [0 0 0 1e-30 0 0 0 1e-30 0])"},
@@ -103,7 +103,7 @@ void put_scene(const TemporaryDirectory& directory, const std::string& text,
   put_file(directory / "d.dsc", "Integrator " + integrator + kBefore + "AttributeBegin\n" + text + "\nAttributeEnd\n");
 }
 
-Outcome render(const TemporaryDirectory& directory, const std::string& integrator) {
+Outcome render_with(const TemporaryDirectory& directory, const std::string& integrator) {
   std::filesystem::remove(directory / "c");
   std::vector<std::string> words = {"d.dsc", "--iterations", "3", "--stats=s.json", "--checkpoint", "c"};
   if (integrator != R"("path")") words.insert(words.end(), {"--photons", "2000"});
@@ -123,11 +123,11 @@ class DegenerateScene : public ::testing::TestWithParam<const char*> {};
 TEST_P(DegenerateScene, WhatIsNotThereChangesNothing) {
   const TemporaryDirectory directory;
   put_scene(directory, "", GetParam());
-  ASSERT_EQ(render(directory, GetParam()).code, 0);
+  ASSERT_EQ(render_with(directory, GetParam()).code, 0);
   const std::vector<Image> without = images(directory);
-  for (const Degenerate& scene : kNothing) {
+  for (const Degenerate& scene : kNothingThere) {
     put_scene(directory, scene.text, GetParam());
-    const Outcome outcome = render(directory, GetParam());
+    const Outcome outcome = render_with(directory, GetParam());
     ASSERT_EQ(outcome.code, 0) << scene.name << outcome.err;
     EXPECT_TRUE(images(directory) == without) << scene.name;
   }
@@ -137,7 +137,7 @@ TEST_P(DegenerateScene, ImagesAreFinite) {
   const TemporaryDirectory directory;
   for (const Degenerate& scene : kSomething) {
     put_scene(directory, scene.text, GetParam());
-    const Outcome outcome = render(directory, GetParam());
+    const Outcome outcome = render_with(directory, GetParam());
     ASSERT_EQ(outcome.code, 0) << scene.name << outcome.err;
     for (const Image& image : images(directory)) EXPECT_TRUE(all_finite(image)) << scene.name;
     const bool let_through = outcome.err.find("written as black") != std::string::npos;

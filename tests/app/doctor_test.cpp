@@ -11,15 +11,6 @@
 namespace dspm::test {
 namespace {
 
-Outcome run_below(const TemporaryDirectory& directory, double bytes, const Arguments& arguments) {
-  return Process(directory, arguments, "out.txt", "err.txt",
-                 [bytes] {
-                   const rlimit limit{static_cast<rlim_t>(bytes), RLIM_INFINITY};
-                   setrlimit(RLIMIT_AS, &limit);
-                 })
-      .wait();
-}
-
 /// Returns the lines between a title and the next empty line.
 std::string list_under(const std::string& title, const std::string& text) {
   const std::size_t at = text.find("\n" + title);

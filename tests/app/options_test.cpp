@@ -11,7 +11,7 @@
 namespace dspm {
 namespace {
 
-using Words = std::vector<std::string>;
+using CommandWords = std::vector<std::string>;
 
 TEST(Options, ReadsTheUsualOnes) {
   const Options o = parse_options(
@@ -19,7 +19,7 @@ TEST(Options, ReadsTheUsualOnes) {
        "--iterations", "50",    "--photons=1000", "--frames", "1-2",     "--time-limit", "1m", "--quick",      "--png",
        "--float",      "b.dsc", "--memory",       "2G",       "--video", "a.mp4"});
   EXPECT_EQ(o.task, Task::render);
-  EXPECT_EQ(o.scenes, (Words{"a.dsc", "b.dsc"}));
+  EXPECT_EQ(o.scenes, (CommandWords{"a.dsc", "b.dsc"}));
   EXPECT_EQ(o.outfile, "out/a.####.exr");
   EXPECT_EQ(o.threads, 2);
   EXPECT_EQ(o.seed, 7u);
@@ -46,9 +46,10 @@ TEST(Options, ViewsAreChosen) {
   EXPECT_EQ(o.sheet.tile_width, 99);
   EXPECT_FALSE(o.sheet.labels);
   EXPECT_TRUE(parse_options({"a"}).sheet.labels);
-  for (const Words& wrong : {Words{"--view", "agxx"}, Words{"--png-bits", "12"}, Words{"--png-space", "p3"},
-                             Words{"--exposure", "x"}, Words{"--view", "raw", "--png-space", "display-p3"}}) {
-    Words words = wrong;
+  for (const CommandWords& wrong :
+       {CommandWords{"--view", "agxx"}, CommandWords{"--png-bits", "12"}, CommandWords{"--png-space", "p3"},
+        CommandWords{"--exposure", "x"}, CommandWords{"--view", "raw", "--png-space", "display-p3"}}) {
+    CommandWords words = wrong;
     words.insert(words.begin(), "a");
     EXPECT_THROW(parse_options(words), UsageError) << wrong.back();
   }
@@ -74,8 +75,8 @@ TEST(Options, OfAnOptionThatIsRepeatedTheLastHolds) {
   EXPECT_EQ(o.iterations, 4);
   EXPECT_EQ(o.outfile, "b.exr");
   EXPECT_EQ(o.frames, (std::vector<Moment>{Moment(1), Moment(2)}));
-  EXPECT_EQ(o.defines, (Words{"x=1", "y=2"}));
-  EXPECT_EQ(o.scenes, (Words{"a.dsc", "b.dsc"}));
+  EXPECT_EQ(o.defines, (CommandWords{"x=1", "y=2"}));
+  EXPECT_EQ(o.scenes, (CommandWords{"a.dsc", "b.dsc"}));
   EXPECT_EQ(o.time_limit, 2);
 }
 
@@ -94,18 +95,18 @@ TEST(Options, StatsTakesItsFileOnlyBehindAnEqualSign) {
   EXPECT_EQ(parse_options({"a"}).stats, "");
   const Options table = parse_options({"--stats", "a.dsc"});
   EXPECT_EQ(table.stats, "table");
-  EXPECT_EQ(table.scenes, Words{"a.dsc"});
+  EXPECT_EQ(table.scenes, CommandWords{"a.dsc"});
   EXPECT_EQ(parse_options({"--stats=s.json", "a"}).stats, "s.json");
   EXPECT_EQ(parse_options({"--stats=-", "a"}).stats, "-");
 }
 
 TEST(Options, DefinesDoNotSwallowScenes) {
   const Options o = parse_options({"-D", "x=1", "a.dsc", "-Dy=-2 3", "b.dsc"});
-  EXPECT_EQ(o.defines, (Words{"x=1", "y=-2 3"}));
-  EXPECT_EQ(o.scenes, (Words{"a.dsc", "b.dsc"}));
+  EXPECT_EQ(o.defines, (CommandWords{"x=1", "y=-2 3"}));
+  EXPECT_EQ(o.scenes, (CommandWords{"a.dsc", "b.dsc"}));
 }
 
-TEST(Options, StandardInputIsADash) { EXPECT_EQ(parse_options({"-"}).scenes, Words{"-"}); }
+TEST(Options, StandardInputIsADash) { EXPECT_EQ(parse_options({"-"}).scenes, CommandWords{"-"}); }
 
 TEST(Options, PbrtSpellingsWork) {
   const Options o = parse_options({"-OutFile", "x.exr", "--nthreads=3", "-crop_window", "0,.5,0,.5", "a.pbrt"});
@@ -125,21 +126,22 @@ TEST(Options, TasksNeedNoSceneWhereTheyReadNone) {
 }
 
 TEST(Options, WhatMakesNoSenseIsRefused) {
-  for (const Words& words : std::vector<Words>{{},
-                                               {"--check"},
-                                               {"a", "--nonsense"},
-                                               {"a", "--seed", "x"},
-                                               {"a", "--seed", "-1"},
-                                               {"a", "--iterations", "-1"},
-                                               {"a", "--photons", "0"},
-                                               {"a", "--nthreads", "-2"},
-                                               {"a", "--outfile"},
-                                               {"a", "-D", "x"},
-                                               {"a", "-D", "=x"},
-                                               {"a", "-o", "x.jpg"},
-                                               {"a", "--contact-sheet", "x.exr"},
-                                               {"a", "--video", "x.avi"},
-                                               {"a", "--cropwindow", "0,1,0,1", "--pixelbounds", "0,1,0,1"}})
+  for (const CommandWords& words :
+       std::vector<CommandWords>{{},
+                                 {"--check"},
+                                 {"a", "--nonsense"},
+                                 {"a", "--seed", "x"},
+                                 {"a", "--seed", "-1"},
+                                 {"a", "--iterations", "-1"},
+                                 {"a", "--photons", "0"},
+                                 {"a", "--nthreads", "-2"},
+                                 {"a", "--outfile"},
+                                 {"a", "-D", "x"},
+                                 {"a", "-D", "=x"},
+                                 {"a", "-o", "x.jpg"},
+                                 {"a", "--contact-sheet", "x.exr"},
+                                 {"a", "--video", "x.avi"},
+                                 {"a", "--cropwindow", "0,1,0,1", "--pixelbounds", "0,1,0,1"}})
     EXPECT_THROW(parse_options(words), UsageError) << (words.empty() ? "" : words.back());
 }
 

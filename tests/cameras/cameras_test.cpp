@@ -4,6 +4,7 @@
 #include "dspm/base/math/rng.h"
 #include "dspm/cameras/camera.h"
 #include "tests/lights/params.h"
+#include "tests/support/near.h"
 
 namespace dspm {
 namespace {
@@ -19,11 +20,6 @@ std::unique_ptr<Camera> camera(const std::string& name, const std::vector<Param>
 
 Param integer(std::string name, int value) {
   return {ParamType::integer, std::move(name), {}, std::vector<int>{value}, {}, {}};
-}
-
-void expect_near(const Vec3& a, const Vec3& b, float tolerance = 1e-6f) {
-  EXPECT_LT(max_component(abs(a - b)), tolerance)
-      << a.x << ' ' << a.y << ' ' << a.z << " against " << b.x << ' ' << b.y << ' ' << b.z;
 }
 
 TEST(Perspective, FieldOfViewIsOverTheShorterAxis) {

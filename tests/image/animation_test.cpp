@@ -7,9 +7,10 @@
 #include <cstdint>
 
 #include "dspm/image/encoding.h"
+#include "tests/image/image_bytes.h"
 #include "tests/support/temporary_directory.h"
 
-namespace dspm {
+namespace dspm::test {
 namespace {
 
 const Rgb kColours[] = {{1, 0, 0}, {0, 1, 0}, {0.2f, 0.2f, 0.9f}};
@@ -26,12 +27,6 @@ std::vector<Image> three_images() {
 struct Chunk {
   std::string name, content;
 };
-
-std::uint32_t number_at(const std::string& bytes, std::size_t at) {
-  std::uint32_t number = 0;
-  for (std::size_t i = 0; i < 4; ++i) number = number << 8 | static_cast<unsigned char>(bytes.at(at + i));
-  return number;
-}
 
 std::vector<Chunk> chunks_of(const std::string& png) {
   std::vector<Chunk> chunks;
@@ -118,4 +113,4 @@ TEST(Animation, TheExtensionChooses) {
 }
 
 }  // namespace
-}  // namespace dspm
+}  // namespace dspm::test

@@ -4,14 +4,10 @@
 
 #include <cstdint>
 
-namespace dspm {
-namespace {
+#include "tests/image/image_bytes.h"
 
-std::uint32_t number_at(const std::string& bytes, std::size_t at) {
-  std::uint32_t number = 0;
-  for (std::size_t i = 0; i < 4; ++i) number = number << 8 | static_cast<unsigned char>(bytes.at(at + i));
-  return number;
-}
+namespace dspm::test {
+namespace {
 
 /// Where a tag's content begins.
 std::size_t place_of(const std::string& profile, const std::string& tag) {
@@ -49,4 +45,4 @@ TEST(IccProfile, DisplayP3HasItsPrimaries) {
 }
 
 }  // namespace
-}  // namespace dspm
+}  // namespace dspm::test

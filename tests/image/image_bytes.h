@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <initializer_list>
 #include <stdexcept>
 #include <string>
@@ -15,6 +16,13 @@ inline std::string bytes(std::initializer_list<int> values) {
   std::string result;
   for (const int value : values) result.push_back(static_cast<char>(value));
   return result;
+}
+
+/// Returns the number in the four bytes from there, the most significant one first.
+inline std::uint32_t number_at(const std::string& bytes, std::size_t at) {
+  std::uint32_t number = 0;
+  for (std::size_t i = 0; i < 4; ++i) number = number << 8 | static_cast<unsigned char>(bytes.at(at + i));
+  return number;
 }
 
 inline const ColorEncoding kLinear{ColorEncoding::Kind::linear, 1};

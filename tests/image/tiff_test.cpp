@@ -12,13 +12,13 @@
 namespace dspm {
 namespace {
 
-struct Kind {
+struct TiffKind {
   int channels = 3, compression = COMPRESSION_NONE, extra = -1, tile = 0;
 };
 
 /// A file of these samples, row by row from the top.
 template <class T>
-std::string tiff(int width, int height, std::vector<T> samples, const Kind& kind) {
+std::string tiff(int width, int height, std::vector<T> samples, const TiffKind& kind) {
   const test::TemporaryDirectory directory;
   const std::string name = (directory / "a.tif").string();
   TIFF* file = TIFFOpen(name.c_str(), "w");
@@ -66,7 +66,7 @@ std::vector<T> counted(std::size_t count) {
 }
 
 template <class T>
-void expect_read(int width, int height, const Kind& kind, float most) {
+void expect_read(int width, int height, const TiffKind& kind, float most) {
   const auto samples = counted<T>(static_cast<std::size_t>(width * height * kind.channels));
   const Image image = decode_image(tiff(width, height, samples, kind), test::kLinear);
   ASSERT_EQ(image.pixels.size(), static_cast<std::size_t>(width * height));
@@ -83,7 +83,7 @@ TEST(TiffFile, EightAndSixteenBitsAndFloatsInStripsAndTiles) {
   for (const int tile : {0, 16}) {
     for (const int compression : {COMPRESSION_NONE, COMPRESSION_LZW, COMPRESSION_ADOBE_DEFLATE}) {
       for (const int channels : {1, 3}) {
-        const Kind kind{channels, compression, -1, tile};
+        const TiffKind kind{channels, compression, -1, tile};
         expect_read<std::uint8_t>(21, 19, kind, 255);
         expect_read<std::uint16_t>(21, 19, kind, 65535);
         expect_read<float>(21, 19, kind, 1);

@@ -4,7 +4,7 @@
 namespace dspm::test {
 namespace {
 
-Matrix4 at(const std::string& directives, int key) {
+Matrix4 at_key(const std::string& directives, int key) {
   const SceneDescription scene =
       good("Frames 25\nWorldBegin\nDynamicBegin \"a\"\n" + directives + "\nShape \"s\" DynamicEnd");
   return scene.shapes.at(0).world_from_object.at(Moment::numbered(key));
@@ -61,43 +61,43 @@ TEST(Animation, KeysInterpolateHoldAndMultiplyOn) {
   const std::string keys =
       "Translate 10 0 0  Keyframe 5 Translate 0 1 0  Keyframe 9 Translate 0 3 0  KeyframeEnd  Scale 2 2 2";
   const auto expected = [](double y) { return Matrix4::translate(10, y, 0) * Matrix4::scale(2, 2, 2); };
-  expect_near(at(keys, 1), expected(1));
-  expect_near(at(keys, 5), expected(1));
-  expect_near(at(keys, 6), expected(1.5));
-  expect_near(at(keys, 9), expected(3));
-  expect_near(at(keys, 25), expected(3));
+  expect_near(at_key(keys, 1), expected(1));
+  expect_near(at_key(keys, 5), expected(1));
+  expect_near(at_key(keys, 6), expected(1.5));
+  expect_near(at_key(keys, 9), expected(3));
+  expect_near(at_key(keys, 25), expected(3));
 }
 
 TEST(Animation, AFullTurnIsAFullTurn) {
   const std::string turn = "Keyframe 1 Rotate 0 0 1 0  Keyframe 17 Rotate 360 0 1 0  KeyframeEnd";
-  for (int key = 1; key <= 17; ++key) expect_near(at(turn, key), Matrix4::rotate((key - 1) * 22.5, 0, 1, 0));
+  for (int key = 1; key <= 17; ++key) expect_near(at_key(turn, key), Matrix4::rotate((key - 1) * 22.5, 0, 1, 0));
 }
 
 TEST(Animation, KeysAreLeftAsTold) {
   const auto keys = [](const std::string& ease) {
     return "Keyframe 1 \"string ease\" \"" + ease + "\" Translate 0 0 0  Keyframe 5 Translate 1 0 0  KeyframeEnd";
   };
-  expect_near(at(keys("linear"), 2), Matrix4::translate(.25, 0, 0));
-  expect_near(at(keys("smooth"), 2), Matrix4::translate(3 * .0625 - 2 * .015625, 0, 0));
-  expect_near(at(keys("step"), 4), Matrix4{});
-  expect_near(at(keys("step"), 5), Matrix4::translate(1, 0, 0));
+  expect_near(at_key(keys("linear"), 2), Matrix4::translate(.25, 0, 0));
+  expect_near(at_key(keys("smooth"), 2), Matrix4::translate(3 * .0625 - 2 * .015625, 0, 0));
+  expect_near(at_key(keys("step"), 4), Matrix4{});
+  expect_near(at_key(keys("step"), 5), Matrix4::translate(1, 0, 0));
 }
 
 TEST(Animation, EveryKeyStartsFromTheTransformBefore) {
   const std::string keys = "Keyframe 1 Translate 1 0 0 Rotate 90 0 0 1  Keyframe 3 Translate 1 0 0  KeyframeEnd";
-  expect_near(at(keys, 3), Matrix4::translate(1, 0, 0));
-  expect_near(at(keys, 2), Matrix4::translate(1, 0, 0) * Matrix4::rotate(45, 0, 0, 1));
+  expect_near(at_key(keys, 3), Matrix4::translate(1, 0, 0));
+  expect_near(at_key(keys, 2), Matrix4::translate(1, 0, 0) * Matrix4::rotate(45, 0, 0, 1));
 }
 
 TEST(Animation, TransformInAKeyReplacesWhatStoodBefore) {
   const std::string matrix = "Transform [1 0 0 0  0 1 0 0  0 0 1 0  4 0 0 1]";
   const std::string all = "Translate 9 9 9 Keyframe 1 Identity  Keyframe 3 " + matrix + " Translate 0 1 0 KeyframeEnd";
-  expect_near(at(all, 1), Matrix4{});
-  expect_near(at(all, 3), Matrix4::translate(4, 1, 0));
+  expect_near(at_key(all, 1), Matrix4{});
+  expect_near(at_key(all, 3), Matrix4::translate(4, 1, 0));
   const std::string one = "Translate 8 0 0 Keyframe 1 Scale 2 2 2  Keyframe 3 " + matrix + " KeyframeEnd";
-  expect_near(at(one, 1), Matrix4::translate(8, 0, 0) * Matrix4::scale(2, 2, 2));
-  expect_near(at(one, 2), Matrix4::translate(6, 0, 0) * Matrix4::scale(1.5, 1.5, 1.5));
-  expect_near(at(one, 3), Matrix4::translate(4, 0, 0));
+  expect_near(at_key(one, 1), Matrix4::translate(8, 0, 0) * Matrix4::scale(2, 2, 2));
+  expect_near(at_key(one, 2), Matrix4::translate(6, 0, 0) * Matrix4::scale(1.5, 1.5, 1.5));
+  expect_near(at_key(one, 3), Matrix4::translate(4, 0, 0));
 }
 
 TEST(Animation, BlocksInsideHaveKeysOfTheirOwn) {
@@ -107,7 +107,7 @@ TEST(Animation, BlocksInsideHaveKeysOfTheirOwn) {
       Keyframe 1 Rotate 0 0 0 1  Keyframe 5 Rotate 40 0 0 1  KeyframeEnd
       Shape "inner"
     AttributeEnd)";
-  expect_near(at(keys, 2), Matrix4::translate(1, 0, 0) * Matrix4::rotate(10, 0, 0, 1));
+  expect_near(at_key(keys, 2), Matrix4::translate(1, 0, 0) * Matrix4::rotate(10, 0, 0, 1));
 }
 
 TEST(Animation, TheCameraMoves) {

@@ -7,7 +7,7 @@
 namespace dspm::test {
 namespace {
 
-struct Mistake {
+struct VariationMistake {
   const char* text;                   // behind kBase, which has 5 lines
   std::vector<const char*> messages;  // line:column: message | hint
 };
@@ -19,7 +19,7 @@ constexpr const char* kBase =
     "Texture \"cloth\" \"spectrum\" \"constant\"\n"
     "DynamicBegin \"cushion\" DynamicEnd\n";
 
-class VariationMistakes : public testing::TestWithParam<Mistake> {};
+class VariationMistakes : public testing::TestWithParam<VariationMistake> {};
 
 TEST_P(VariationMistakes, AreTold) {
   const Parsed parsed = parse(std::string(kBase) + GetParam().text);
@@ -30,7 +30,7 @@ TEST_P(VariationMistakes, AreTold) {
   EXPECT_EQ(messages, expected) << GetParam().text;
 }
 
-const Mistake kPlaces[] = {
+const VariationMistake kPlaces[] = {
     {"AxisBegin \"a\"\nVariationBegin \"b\" Shape \"sphere\" VariationEnd AxisEnd",
      {"7:20: Shape is not allowed in VariationBegin \"b\" (line 7) | a variation contains MakeNamedMaterial, "
       "Texture, Light, LightSource, AreaLightSource, Show, Hide, Dynamic blocks, Camera and Integrator"}},
@@ -62,7 +62,7 @@ const Mistake kPlaces[] = {
 };
 INSTANTIATE_TEST_SUITE_P(Places, VariationMistakes, testing::ValuesIn(kPlaces));
 
-const Mistake kNames[] = {
+const VariationMistake kVariationNames[] = {
     {"AxisBegin \"a\"\nVariationBegin \"b\" Show \"cushion\" VariationEnd AxisEnd\nAxisBegin \"a\"\nVariationBegin "
      "\"c\" Show \"cushion\" VariationEnd AxisEnd",
      {"8:11: AxisBegin \"a\" appears twice | the first is at scene.dsc:6"}},
@@ -96,9 +96,9 @@ const Mistake kNames[] = {
      {"7:16: two variations of the product are named \"a-b-c\" | one has \"a\", the other \"a-b\": rename one of "
       "these"}},
 };
-INSTANTIATE_TEST_SUITE_P(Names, VariationMistakes, testing::ValuesIn(kNames));
+INSTANTIATE_TEST_SUITE_P(Names, VariationMistakes, testing::ValuesIn(kVariationNames));
 
-const Mistake kContents[] = {
+const VariationMistake kContents[] = {
     {"VariationBegin \"b\" MakeNamedMaterial \"saet\" \"string type\" \"diffuse\" VariationEnd",
      {"6:20: the scene has no material named \"saet\" | did you mean \"seat\"? available: legs, seat"}},
     {"VariationBegin \"b\" Texture \"wood\" \"spectrum\" \"constant\" VariationEnd",

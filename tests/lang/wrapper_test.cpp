@@ -58,12 +58,12 @@ TEST_F(Wrapper, WrongDefaults) {
             "main.dsc:5:1 Default y has no value | Default y 1\n");
 }
 
-constexpr const char* kScene =
+constexpr const char* kWrappedScene =
     "LookAt 0 0 -9 0 0 0 0 1 0\nCamera \"a\"\nFilm \"rgb\"\nIntegrator \"path\"\nWorldBegin\nTranslate 1 0 0\nShape "
     "\"s\"\n";
 
 TEST_F(Wrapper, ALaterJobOfTheIncludingFileReplacesTheScenes) {
-  put("scene.dsc", kScene);
+  put("scene.dsc", kWrappedScene);
   put("main.dsc",
       "Include \"scene.dsc\"\nTranslate 0 0 5\nCamera \"b\"\nFilm \"gbuffer\"\nIntegrator \"dsppm\"\nShape \"after\"");
   EXPECT_EQ(parse({"main.dsc"}), "");
@@ -75,7 +75,7 @@ TEST_F(Wrapper, ALaterJobOfTheIncludingFileReplacesTheScenes) {
 }
 
 TEST_F(Wrapper, ACameraWithoutATransformStaysWhereTheScenesStands) {
-  put("scene.dsc", kScene);
+  put("scene.dsc", kWrappedScene);
   put("main.dsc",
       "Include \"scene.dsc\"\nCamera \"b\"\nVariationBegin \"v\" Camera \"c\" VariationEnd\n"
       "VariationBegin \"w\" Translate 0 0 5 Camera \"c\" Translate 1 0 0 VariationEnd");
@@ -88,7 +88,7 @@ TEST_F(Wrapper, ACameraWithoutATransformStaysWhereTheScenesStands) {
 }
 
 TEST_F(Wrapper, ItsCameraMayMove) {
-  put("scene.dsc", std::string("Frames 9\nKeyframe 1 Translate 1 0 0 KeyframeEnd\n") + kScene);
+  put("scene.dsc", std::string("Frames 9\nKeyframe 1 Translate 1 0 0 KeyframeEnd\n") + kWrappedScene);
   put("main.dsc",
       "Include \"scene.dsc\"\nKeyframe 1 Translate 0 0 0\nKeyframe 9 Translate 0 0 8\nKeyframeEnd\nCamera \"b\"\n");
   EXPECT_EQ(parse({"main.dsc"}), "");
@@ -100,7 +100,7 @@ TEST_F(Wrapper, ItsCameraMayMove) {
 }
 
 TEST_F(Wrapper, WhatIsReplacedUnawaresNamesBothFiles) {
-  put("scene.dsc", kScene);
+  put("scene.dsc", kWrappedScene);
   put("main.dsc", "Film \"rgb\"\nInclude \"scene.dsc\"\nCamera \"b\"\nCamera \"c\"");
   EXPECT_EQ(parse({"main.dsc"}),
             "scene.dsc:3:1 this Film replaces the one on main.dsc:1 | \n"
@@ -108,7 +108,7 @@ TEST_F(Wrapper, WhatIsReplacedUnawaresNamesBothFiles) {
 }
 
 TEST_F(Wrapper, OnlyTheIncludingFileMay) {
-  put("scene.dsc", std::string(kScene) + "Film \"rgb\"\nInclude \"part.dsc\"");
+  put("scene.dsc", std::string(kWrappedScene) + "Film \"rgb\"\nInclude \"part.dsc\"");
   put("part.dsc", "Camera \"b\"");
   put("main.dsc", "Include \"scene.dsc\"\nAttributeBegin Camera \"b\" AttributeEnd\nWorldBegin");
   EXPECT_EQ(parse({"main.dsc"}),

@@ -13,7 +13,7 @@ namespace {
 
 using namespace dspm::test;
 
-const Param kPortal{
+const Param kPortalParam{
     ParamType::point3, "portal", {}, std::vector<float>{-1, -1, 1, -1, 1, 1, 1, 1, 1, 1, -1, 1}, {}, {}};
 
 TEST(Background, IsOfOneColour) {
@@ -32,10 +32,10 @@ TEST(Background, IsTheLightIfNothingIsSaid) {
 
 TEST(Background, OfAPortalIsSeenThroughIt) {
   const auto window =
-      make_light("infinite", {rgb("L", {3, 2, 1}), rgb("background", {0, 0, 0}), kPortal}, around_the_scene());
+      make_light("infinite", {rgb("L", {3, 2, 1}), rgb("background", {0, 0, 0}), kPortalParam}, around_the_scene());
   EXPECT_EQ(window->background({{}, {0, 0, 1}}), Rgb());
   EXPECT_GT(window->escaped({{}, {0, 0, 1}}).r, 2.9f);
-  const auto grey = make_light("infinite", {rgb("background", {1, 1, 1}), kPortal}, around_the_scene());
+  const auto grey = make_light("infinite", {rgb("background", {1, 1, 1}), kPortalParam}, around_the_scene());
   EXPECT_EQ(grey->background({{}, {0, 0, 1}}), Rgb(1));
   EXPECT_EQ(grey->background({{}, {0, 0, -1}}), Rgb());
 }

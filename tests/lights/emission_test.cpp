@@ -10,7 +10,7 @@ namespace {
 
 using namespace dspm::test;
 
-const Vec3 kPoints[] = {{0.3f, -0.2f, -3}, {1.9f, 1.2f, -0.8f}};  // each lamp is seen from one of them
+const Vec3 kSeenFrom[] = {{0.3f, -0.2f, -3}, {1.9f, 1.2f, -0.8f}};  // each lamp is seen from one of them
 
 template <class Check>
 void for_each_emission(const Light& light, const Check& check) {
@@ -150,7 +150,7 @@ TEST(Emission, DirectLightNamesThePointThatItSampled) {
     Sequence random(12);
     int n = 0;
     for (int i = 0; i < 4000; ++i) {
-      const Vec3& from = kPoints[i % 2];
+      const Vec3& from = kSeenFrom[i % 2];
       const auto l = lamp.light->illuminate(from, random.pair());
       if (!l || std::abs(dot(l->normal, l->wi)) < 0.02f) continue;
       SurfacePoint point;

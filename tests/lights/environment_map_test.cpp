@@ -5,6 +5,7 @@
 
 #include "tests/lights/density.h"
 #include "tests/lights/environment.h"
+#include "tests/support/near.h"
 
 namespace dspm {
 namespace {
@@ -12,11 +13,6 @@ namespace {
 using namespace dspm::test;
 
 constexpr SphereMapping kMappings[] = {SphereMapping::equal_area, SphereMapping::equirectangular};
-
-void expect_near(const Vec3& a, const Vec3& b, float tolerance = 1e-6f) {
-  EXPECT_LT(max_component(abs(a - b)), tolerance)
-      << a.x << ' ' << a.y << ' ' << a.z << " against " << b.x << ' ' << b.y << ' ' << b.z;
-}
 
 // The square as the octahedron unfolded: the axes' directions at its middle, edges' middles and corners. [Clarberg
 // 2008]

@@ -5,16 +5,12 @@
 #include "tests/lights/density.h"
 #include "tests/lights/environment.h"
 #include "tests/lights/lamps.h"
+#include "tests/support/near.h"
 
 namespace dspm {
 namespace {
 
 using namespace dspm::test;
-
-void expect_near(const Vec3& a, const Vec3& b, float tolerance = 1e-6f) {
-  EXPECT_LT(max_component(abs(a - b)), tolerance)
-      << a.x << ' ' << a.y << ' ' << a.z << " against " << b.x << ' ' << b.y << ' ' << b.z;
-}
 
 TEST(Point, FallsOffWithTheSquareOfTheDistance) {
   const auto light = make_light("point", {rgb("I", {8, 4, 2}), point("from", {0, 0, 2}), number("scale", 2)}, {});

@@ -12,7 +12,6 @@ namespace dspm::test {
 namespace {
 
 /// What the walk loses at facets, it loses.
-const Param kLossy = flag("energycompensation", false);
 
 struct Layers {
   std::unique_ptr<Material> coat, base;

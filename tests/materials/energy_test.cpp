@@ -144,8 +144,6 @@ TEST(Energy, HardlyRoughIsAsGoodAsSmooth) {
         << cos;
 }
 
-const Param kLossy = flag("energycompensation", false);
-
 struct Loss {
   float alpha;
   double straight, slanted, grazing;  // albedo at cos = 1, 0.5, 0.1

@@ -24,6 +24,10 @@ inline Param flag(std::string name, bool value) {
 }
 inline Param alpha(float value) { return number("roughness", value * value); }  // remapped: alpha = sqrt(roughness)
 
+inline const Param kLossy = flag("energycompensation", false);
+
+inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
 /// The material that a scene with these parameters gets; `diagnostics` holds what is said about them.
 inline std::unique_ptr<Material> make(std::string_view type, std::vector<Param> params, Diagnostics& diagnostics) {
   const TextureSet textures;

@@ -33,7 +33,6 @@ std::string said(const std::string& contents) {
   return diagnostics.all().empty() ? "" : diagnostics.all().front().message;
 }
 std::string said(const std::vector<BsdfTable>& tables) { return said(bsdf_file(tables)); }
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 BsdfTable& named(std::vector<BsdfTable>& tables, const std::string& name) {
   return *std::find_if(tables.begin(), tables.end(), [&](const BsdfTable& table) { return table.name == name; });

@@ -18,7 +18,6 @@ std::string said(std::string_view type, std::vector<Param> params) {
            each.message + "\n";
   return all;
 }
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 int least_lobes(std::string_view type, std::vector<Param> params, float least_alpha) {
   const auto material = make(type, std::move(params));

@@ -110,7 +110,7 @@ float difference(const Image& a, const Image& b) {
 }
 
 /// In linear light.
-Image over(const Image& image, const Rgb& background) {
+Image laid_over(const Image& image, const Rgb& background) {
   Image result = image;
   for (std::size_t i = 0; i < image.alpha.size(); ++i)
     result.pixels[i] = image.alpha[i] * image.pixels[i] + (1 - image.alpha[i]) * background;
@@ -137,7 +137,7 @@ TEST(FilmOutput, TransparentFilesHaveRightEdges) {
     for (const char* const file : {"disc.png", "alone.png", "alone.webp"}) {
       const Image image = read_image(directory / file);
       EXPECT_EQ(image.alpha.size(), static_cast<std::size_t>(kPixels)) << file;
-      EXPECT_LT(difference(over(image, background), before), 0.009f) << file << " over " << name;
+      EXPECT_LT(difference(laid_over(image, background), before), 0.009f) << file << " over " << name;
     }
     ASSERT_EQ(run(directory, usual + Arguments{"--background", name, "-o", "on.png", "--sheet", "sheet.png"}).code, 0);
     const Image on = read_image(directory / "on.png");

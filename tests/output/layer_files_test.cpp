@@ -14,16 +14,11 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-Outcome render(const TemporaryDirectory& directory, Names more) {
-  more.insert(more.begin(), "tiny.dsc");
-  return run(directory, more);
-}
-
 TEST(LayerFiles, HoldWhatLayersDo) {
   const TinyDirectory together, apart;
   const Names asked = {"--aov", "N,Z,object"};
-  ASSERT_EQ(render(together, asked).code, 0);
-  const Outcome outcome = render(apart, asked + Names{"--aov-files"});
+  ASSERT_EQ(run_tiny(together, asked).code, 0);
+  const Outcome outcome = run_tiny(apart, asked + Names{"--aov-files"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   for (const char* frame : {"0001", "0002", "0003"}) {
     const auto whole = together / fmt::format("tiny.{}.exr", frame);
@@ -44,7 +39,7 @@ TEST(LayerFiles, HoldWhatLayersDo) {
 TEST(LayerFiles, ReplaceNoOtherFile) {
   const TinyDirectory directory;
   put_file(directory / "tiny.N.0001.exr", "a picture");
-  const Outcome outcome = render(directory, {"--aov", "N", "--aov-files", "--checkpoint", "tiny.N.0001.exr"});
+  const Outcome outcome = run_tiny(directory, {"--aov", "N", "--aov-files", "--checkpoint", "tiny.N.0001.exr"});
   EXPECT_EQ(outcome.code, 2) << outcome.err;
   EXPECT_EQ(contents(directory / "tiny.N.0001.exr"), "a picture");
 }
@@ -63,7 +58,7 @@ TEST(LayerFiles, PrecisionIsChosenByLayer) {
   const TinyDirectory directory;
   const Names outputs = {"--aov", "albedo,P,N,object"};
   const auto halves = [&](const Names& more) {
-    const Outcome outcome = render(directory, outputs + more);
+    const Outcome outcome = run_tiny(directory, outputs + more);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     Names found;
     const auto image = directory / kTinyImages[1];
@@ -75,29 +70,29 @@ TEST(LayerFiles, PrecisionIsChosenByLayer) {
   EXPECT_EQ(halves({}), (Names{"radiance", "albedo"}));
   EXPECT_EQ(halves({"--half=P", "--float=albedo"}), (Names{"radiance", "P"}));
   EXPECT_EQ(halves({"--float", "--half=albedo"}), (Names{"albedo"}));
-  const Outcome ids = render(directory, outputs + Names{"--half=object"});
+  const Outcome ids = run_tiny(directory, outputs + Names{"--half=object"});
   EXPECT_EQ(ids.code, 2);
   EXPECT_NE(ids.err.find("--half=object: ids are bits of a float"), std::string::npos) << ids.err;
-  const Outcome absent = render(directory, outputs + Names{"--half=Z"});
+  const Outcome absent = run_tiny(directory, outputs + Names{"--half=Z"});
   EXPECT_EQ(absent.code, 2);
   EXPECT_NE(absent.err.find("there are albedo, P, N, object"), std::string::npos) << absent.err;
-  EXPECT_EQ(render(directory, outputs + Names{"--half=N", "--float=N"}).code, 2);
+  EXPECT_EQ(run_tiny(directory, outputs + Names{"--half=N", "--float=N"}).code, 2);
 }
 
 TEST(LayerFiles, FormatChangesNoPixel) {
   const TinyDirectory directory;
   std::set<std::uintmax_t> sizes;
-  ASSERT_EQ(render(directory, {"--aov", "N"}).code, 0);
+  ASSERT_EQ(run_tiny(directory, {"--aov", "N"}).code, 0);
   const Image plain = read_image(directory / kTinyImages[0]);
   for (const Names& format :
        {Names{}, Names{"--compression", "none"}, Names{"--compression", "piz"}, Names{"--tiles", "4"}}) {
-    ASSERT_EQ(render(directory, Names{"--aov", "N"} + format).code, 0);
+    ASSERT_EQ(run_tiny(directory, Names{"--aov", "N"} + format).code, 0);
     EXPECT_EQ(read_image(directory / kTinyImages[0]), plain);
     sizes.insert(std::filesystem::file_size(directory / kTinyImages[0]));
   }
   EXPECT_EQ(sizes.size(), 4U);
-  EXPECT_EQ(render(directory, {"--compression", "best"}).code, 2);
-  EXPECT_EQ(render(directory, {"--tiles", "5000"}).code, 2);
+  EXPECT_EQ(run_tiny(directory, {"--compression", "best"}).code, 2);
+  EXPECT_EQ(run_tiny(directory, {"--tiles", "5000"}).code, 2);
 }
 
 /// A point as a row times the header's matrix; x / w and y / w.
@@ -122,7 +117,7 @@ TEST(LayerFiles, HeadersSayWhereTheCameraSeesPoints) {
     scene.replace(scene.find("LookAt 0 0 -4  0 0 0  0 1 0"), 27,
                   "Option \"disablepixeljitter\" true\nLookAt 1 .5 -4  0 0.2 0  .1 1 0");
     put_file(directory / "tiny.dsc", scene);
-    const Outcome outcome = render(directory, {"--aov", "P,Z", "--frames", "2", "--cropwindow", "0,1,0.25,1"});
+    const Outcome outcome = run_tiny(directory, {"--aov", "P,Z", "--frames", "2", "--cropwindow", "0,1,0.25,1"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const ExrHeader header = read_exr_header(directory / kTinyImages[1]);
     const Image p = read_exr_channels(directory / kTinyImages[1], {"P.X", "P.Y", "P.Z"});
@@ -146,7 +141,7 @@ TEST(LayerFiles, OfASphericalCameraHaveNoProjection) {
   std::string scene = kTinyScene;
   scene.replace(scene.find(R"("perspective" "float fov" 45)"), 28, R"("spherical")");
   put_file(directory / "tiny.dsc", scene);
-  ASSERT_EQ(render(directory, {}).code, 0);
+  ASSERT_EQ(run_tiny(directory, {}).code, 0);
   const ExrHeader header = read_exr_header(directory / kTinyImages[0]);
   EXPECT_EQ(header.matrices.count("worldToCamera"), 1U);
   EXPECT_EQ(header.matrices.count("worldToNDC"), 0U);

@@ -15,11 +15,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-Outcome render(const TemporaryDirectory& directory, std::vector<std::string> more) {
-  more.insert(more.begin(), "tiny.dsc");
-  return run(directory, more);
-}
-
 Names channels_of(const std::filesystem::path& image) { return read_exr_header(image).channels; }
 
 const Names kSurface = {"Albedo.B", "Albedo.G", "Albedo.R", "B", "G",        "N.X",        "N.Y", "N.Z", "P.X",
@@ -32,10 +27,10 @@ Names sorted(Names names) {
 
 TEST(Layers, AreThoseThatWereAskedFor) {
   const TinyDirectory directory;
-  ASSERT_EQ(render(directory, {}).code, 0);
+  ASSERT_EQ(run_tiny(directory, {}).code, 0);
   const Image plain = read_image(directory / kTinyImages[1]);
   EXPECT_EQ(channels_of(directory / kTinyImages[1]), (Names{"B", "G", "R"}));
-  const Outcome outcome = render(directory, {"--aov", "N,Z", "--aov", "photons,radius"});
+  const Outcome outcome = run_tiny(directory, {"--aov", "N,Z", "--aov", "photons,radius"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   for (const char* image : kTinyImages)
     EXPECT_EQ(channels_of(directory / image),
@@ -49,7 +44,7 @@ TEST(Layers, AreThoseThatWereAskedFor) {
 TEST(Layers, AreAllSeenByBlender) {
   if (find_program("blender").empty()) GTEST_SKIP() << "Blender is not installed";
   const TinyDirectory directory;
-  ASSERT_EQ(render(directory, {"--aov", "N,P,Z,albedo,uv,object,material,photons,radius"}).code, 0);
+  ASSERT_EQ(run_tiny(directory, {"--aov", "N,P,Z,albedo,uv,object,material,photons,radius"}).code, 0);
   put_file(directory / "sockets.py",
            "import bpy\n"
            "scene = bpy.data.scenes[0]\n"
@@ -66,11 +61,11 @@ TEST(Layers, AreAllSeenByBlender) {
 
 TEST(Layers, OfAGbufferFilmAreTheSame) {
   const TinyDirectory asked, film;
-  ASSERT_EQ(render(asked, {"--aov", "N,P,Z,albedo,uv,object,material"}).code, 0);
+  ASSERT_EQ(run_tiny(asked, {"--aov", "N,P,Z,albedo,uv,object,material"}).code, 0);
   std::string scene = kTinyScene;
   scene.replace(scene.find("Film \"rgb\""), 10, "Film \"gbuffer\" \"string coordinatesystem\" \"world\"");
   put_file(film / "tiny.dsc", scene);
-  const Outcome outcome = render(film, {});
+  const Outcome outcome = run_tiny(film, {});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   for (const char* image : kTinyImages) {
     EXPECT_EQ(channels_of(film / image), sorted(kSurface));
@@ -82,7 +77,7 @@ TEST(Layers, OfAGbufferFilmAreTheSame) {
 
 TEST(Layers, OfIdsHaveAManifest) {
   const TinyDirectory directory;
-  ASSERT_EQ(render(directory, {"--aov", "object"}).code, 0);
+  ASSERT_EQ(run_tiny(directory, {"--aov", "object"}).code, 0);
   const std::string manifest = read_exr_header(directory / kTinyImages[0]).texts.at("object manifest");
   const Image ids = read_exr_channels(directory / kTinyImages[0], {"object.X"});
   const auto entry = [](float id) { return fmt::format("{:08x}\"", std::bit_cast<std::uint32_t>(id)); };
@@ -100,12 +95,12 @@ TEST(Layers, GoOnAfterAResume) {
     more.insert(more.end(), outputs.begin(), outputs.end());
     return more;
   };
-  ASSERT_EQ(render(whole, with({"--iterations", "4"})).code, 0);
-  ASSERT_EQ(render(parts, with({"--iterations", "2", "--checkpoint", "tiny.ck"})).code, 0);
-  const Outcome other = render(parts, {"--iterations", "4", "--resume", "tiny.ck"});
+  ASSERT_EQ(run_tiny(whole, with({"--iterations", "4"})).code, 0);
+  ASSERT_EQ(run_tiny(parts, with({"--iterations", "2", "--checkpoint", "tiny.ck"})).code, 0);
+  const Outcome other = run_tiny(parts, {"--iterations", "4", "--resume", "tiny.ck"});
   EXPECT_EQ(other.code, 1);
   EXPECT_NE(other.err.find("the choice of outputs (--aov, --denoise)"), std::string::npos) << other.err;
-  const Outcome outcome = render(parts, with({"--iterations", "4", "--resume", "tiny.ck"}));
+  const Outcome outcome = run_tiny(parts, with({"--iterations", "4", "--resume", "tiny.ck"}));
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   for (const char* image : kTinyImages)
     for (const Names& layer : {Names{"R", "G", "B"}, Names{"N.X", "N.Y", "N.Z"},
@@ -115,14 +110,14 @@ TEST(Layers, GoOnAfterAResume) {
 
 TEST(Layers, ThatNobodyHasAreErrors) {
   const TinyDirectory directory;
-  const Outcome outcome = render(directory, {"--aov", "normal,albdo"});
+  const Outcome outcome = run_tiny(directory, {"--aov", "normal,albdo"});
   EXPECT_EQ(outcome.code, 1);
   EXPECT_NE(outcome.err.find("integrator \"dsppm\" has no output \"normal\""), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("radiance, radius, photons, N, P, Z, albedo, uv, object, material"), std::string::npos);
   EXPECT_NE(outcome.err.find("did you mean \"albedo\"?"), std::string::npos) << outcome.err;
-  EXPECT_EQ(render(directory, {"--integrator", "path", "--aov", "photons"}).code, 1);
-  EXPECT_EQ(render(directory, {"--aov", "N,"}).code, 2);
-  const Outcome png = render(directory, {"--aov", "N", "-o", "a.png"});
+  EXPECT_EQ(run_tiny(directory, {"--integrator", "path", "--aov", "photons"}).code, 1);
+  EXPECT_EQ(run_tiny(directory, {"--aov", "N,"}).code, 2);
+  const Outcome png = run_tiny(directory, {"--aov", "N", "-o", "a.png"});
   EXPECT_EQ(png.code, 2);
   EXPECT_NE(png.err.find("a.png cannot hold N"), std::string::npos) << png.err;
   EXPECT_NE(png.err.find("-o a.exr gives them"), std::string::npos) << png.err;

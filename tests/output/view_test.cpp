@@ -21,13 +21,13 @@ Rgb one_pixel(const View& view, const Rgb& radiance) {
   return view.shown(image).at(0, 0);
 }
 
-View named(const std::string& name, double stops = 0, bool p3 = false) {
+View view_named(const std::string& name, double stops = 0, bool p3 = false) {
   return View(ViewSettings{.view = name, .stops = stops, .display_p3 = p3});
 }
 
 TEST(View, StandardClipsComponentsAlone) {
-  EXPECT_EQ(one_pixel(named("standard"), Rgb(0.25f, 1, 3)), Rgb(0.25f, 1, 1));
-  EXPECT_EQ(one_pixel(named("standard", -1), Rgb(0.25f, 1, 3)), Rgb(0.125f, 0.5f, 1));
+  EXPECT_EQ(one_pixel(view_named("standard"), Rgb(0.25f, 1, 3)), Rgb(0.25f, 1, 1));
+  EXPECT_EQ(one_pixel(view_named("standard", -1), Rgb(0.25f, 1, 3)), Rgb(0.125f, 0.5f, 1));
 }
 
 TEST(View, EverythingRisesAndStaysWithinOne) {
@@ -136,28 +136,29 @@ TEST(View, AcesIsHillsFit) {
 }
 
 TEST(View, RawIsNotEncoded) {
-  EXPECT_EQ(one_pixel(named("raw"), Rgb(0.25f, 0.5f, 3)), Rgb(0.25f, 0.5f, 1));
-  EXPECT_EQ(named("raw").png().space, PngSpace::linear);
-  EXPECT_EQ(named("raw").for_video().png().space, PngSpace::srgb);
+  EXPECT_EQ(one_pixel(view_named("raw"), Rgb(0.25f, 0.5f, 3)), Rgb(0.25f, 0.5f, 1));
+  EXPECT_EQ(view_named("raw").png().space, PngSpace::linear);
+  EXPECT_EQ(view_named("raw").for_video().png().space, PngSpace::srgb);
 }
 
 /// Display P3's numbers for the colours of sRGB, as other programs compute them: red is (0.9175, 0.2003, 0.1386).
 TEST(View, DisplayP3ShowsTheSameColours) {
-  const Rgb red = one_pixel(named("standard", 0, true), Rgb(1, 0, 0)),
-            grey = one_pixel(named("agx", 0, true), Rgb(0.3f));
+  const Rgb red = one_pixel(view_named("standard", 0, true), Rgb(1, 0, 0)),
+            grey = one_pixel(view_named("agx", 0, true), Rgb(0.3f));
   EXPECT_NEAR(linear_to_srgb(red.r), 0.9175f, 1e-3);
   EXPECT_NEAR(linear_to_srgb(red.g), 0.2003f, 1e-3);
   EXPECT_NEAR(linear_to_srgb(red.b), 0.1386f, 1e-3);
-  EXPECT_NEAR(grey.r, one_pixel(named("agx"), Rgb(0.3f)).r, 1e-4);
+  EXPECT_NEAR(grey.r, one_pixel(view_named("agx"), Rgb(0.3f)).r, 1e-4);
 }
 
 TEST(View, ExposureIsInStops) {
-  EXPECT_EQ(one_pixel(named("agx", 2), Rgb(0.1f, 0.2f, 0.3f)), one_pixel(named("agx"), Rgb(0.4f, 0.8f, 1.2f)));
+  EXPECT_EQ(one_pixel(view_named("agx", 2), Rgb(0.1f, 0.2f, 0.3f)),
+            one_pixel(view_named("agx"), Rgb(0.4f, 0.8f, 1.2f)));
 }
 
 TEST(View, UnknownOnesAreRefusedByName) {
   try {
-    named("agxx");
+    view_named("agxx");
     FAIL();
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(),
@@ -240,7 +241,7 @@ class Configuration {
 bool is_built_with_ocio() {
   const Configuration configuration(kConfiguration);
   try {
-    named("ocio");
+    view_named("ocio");
   } catch (const std::runtime_error& error) {
     if (std::string(error.what()).find("built without") != std::string::npos) return false;
     throw;
@@ -257,17 +258,17 @@ class Ocio : public testing::Test {
 
 TEST_F(Ocio, FollowsTheConfiguration) {
   const Configuration configuration(kConfiguration);
-  EXPECT_NEAR(linear_to_srgb(one_pixel(named("ocio"), Rgb(0.125f)).g), 0.5f, 1e-4);
-  EXPECT_NEAR(linear_to_srgb(one_pixel(named("ocio:screen/None"), Rgb(0.125f)).g), 0.125f, 1e-4);
-  EXPECT_NEAR(linear_to_srgb(one_pixel(named("ocio", 1), Rgb(0.0625f)).g), 0.5f, 1e-4);
-  EXPECT_THROW(named("ocio:screen/Thrice"), std::runtime_error);
+  EXPECT_NEAR(linear_to_srgb(one_pixel(view_named("ocio"), Rgb(0.125f)).g), 0.5f, 1e-4);
+  EXPECT_NEAR(linear_to_srgb(one_pixel(view_named("ocio:screen/None"), Rgb(0.125f)).g), 0.125f, 1e-4);
+  EXPECT_NEAR(linear_to_srgb(one_pixel(view_named("ocio", 1), Rgb(0.0625f)).g), 0.5f, 1e-4);
+  EXPECT_THROW(view_named("ocio:screen/Thrice"), std::runtime_error);
 }
 
 TEST_F(Ocio, ConfigurationsThatAreNotThereAreErrors) {
   setenv("OCIO", "/nowhere/config.ocio", 1);
-  EXPECT_THROW(named("ocio"), std::runtime_error);
+  EXPECT_THROW(view_named("ocio"), std::runtime_error);
   unsetenv("OCIO");
-  EXPECT_THROW(named("ocio"), std::runtime_error);
+  EXPECT_THROW(view_named("ocio"), std::runtime_error);
 }
 
 /// A view of data, such as Blender's "Raw", shows the numbers of the space that the configuration works in, and not those
@@ -275,7 +276,8 @@ TEST_F(Ocio, ConfigurationsThatAreNotThereAreErrors) {
 TEST_F(Ocio, EntersByAcesAndShowsTheSpaceThatItWorksIn) {
   const Configuration configuration(kAcesConfiguration);
   const Rgb colour(0.5f, 0.25f, 0.125f);
-  const Rgb light = one_pixel(named("ocio:screen/Light"), colour), numbers = one_pixel(named("ocio:Numbers"), colour);
+  const Rgb light = one_pixel(view_named("ocio:screen/Light"), colour),
+            numbers = one_pixel(view_named("ocio:Numbers"), colour);
   for (int c = 0; c < 3; ++c) {
     EXPECT_NEAR(linear_to_srgb(light[c]), colour[c], 1e-3);
     EXPECT_NEAR(linear_to_srgb(numbers[c]), colour[c] / 2, 1e-3);

@@ -60,7 +60,7 @@ Ray towards(const CurveSegment& segment, Random& random) {
 }
 
 /// How far, in projection along the ray, the centre line is from it.
-double distance(const CurveSegment& segment, double u, const Ray& ray) {
+double distance_at(const CurveSegment& segment, double u, const Ray& ray) {
   const DoubleVec3 d = widen(ray.direction), p = place_on(segment, u, ray.origin).p;
   return length(p - d * (dot(p, d) / dot(d, d)));
 }
@@ -71,19 +71,19 @@ std::optional<double> tried_everywhere(const CurveSegment& segment, const Ray& r
   constexpr int kPlaces = 2000;
   double best = std::numeric_limits<double>::infinity();
   for (int k = 1; k < kPlaces; ++k) {
-    const auto at = [&](int i) { return distance(segment, double(i) / kPlaces, ray); };
+    const auto at = [&](int i) { return distance_at(segment, double(i) / kPlaces, ray); };
     if (at(k) > at(k - 1) || at(k) > at(k + 1)) continue;
     double low = double(k - 1) / kPlaces, high = double(k + 1) / kPlaces;
     for (int step = 0; step < 60; ++step) {
       const double a = low + (high - low) / 3, b = high - (high - low) / 3;
-      (distance(segment, a, ray) < distance(segment, b, ray) ? high : low) =
-          distance(segment, a, ray) < distance(segment, b, ray) ? b : a;
+      (distance_at(segment, a, ray) < distance_at(segment, b, ray) ? high : low) =
+          distance_at(segment, a, ray) < distance_at(segment, b, ray) ? b : a;
     }
     const double u = (low + high) / 2, radius = segment.width_at(u) / 2,
-                 gap = std::abs(distance(segment, u, ray) - radius);
+                 gap = std::abs(distance_at(segment, u, ray) - radius);
     if (gap < 1e-3 * radius || u < 2.0 / kPlaces || u > 1 - 2.0 / kPlaces) return std::nullopt;
     const double t = dot(place_on(segment, u, ray.origin).p, widen(ray.direction));
-    if (distance(segment, u, ray) < radius && t > 0) best = std::min(best, t);
+    if (distance_at(segment, u, ray) < radius && t > 0) best = std::min(best, t);
   }
   return best;
 }

@@ -48,7 +48,7 @@ TEST(Displace, EdgesAreSplitUntilTheyAreShort) {
 }
 
 /// Edges by the places of their ends, and how often faces have them.
-std::map<std::array<float, 6>, int> edges_of(const MeshData& mesh) {
+std::map<std::array<float, 6>, int> uses_of_edges(const MeshData& mesh) {
   std::map<std::array<float, 6>, int> edges;
   for (const Face& f : mesh.faces)
     for (std::size_t c = 0; c < 3; ++c) {
@@ -65,7 +65,7 @@ TEST(Displace, AClosedMeshStaysClosed) {
   const auto bumps = [](const Vec3& p, Vec2) { return 0.2f * std::sin(5 * p.x) * std::cos(4 * p.y + p.z); };
   const MeshData made = displaced(cube(), {distance, 0.17f, bumps});
   EXPECT_GT(made.faces.size(), 1000u);
-  for (const auto& [edge, count] : edges_of(made)) EXPECT_EQ(count, 2);
+  for (const auto& [edge, count] : uses_of_edges(made)) EXPECT_EQ(count, 2);
 }
 
 TEST(Displace, VerticesMoveAlongTheirNormals) {

@@ -22,7 +22,7 @@ std::unique_ptr<Shape> patch(std::vector<Param> more) {
   return std::move(made.at(0).shape);
 }
 
-std::vector<std::unique_ptr<Shape>> shapes() {
+std::vector<std::unique_ptr<Shape>> shapes_with_tangents() {
   std::vector<std::unique_ptr<Shape>> all;
   all.push_back(make_shape("sphere", {{"radius", 2}}));
   all.push_back(make_shape("sphere", {{"radius", 2}, {"zmin", -1.5f}, {"zmax", 0.5f}, {"phimax", 250}}));
@@ -41,7 +41,7 @@ TEST(Tangents, AreDerivativesByTextureCoordinates) {
   const Transform to_world(Matrix4::translate(1, 2, 3) * Matrix4::rotate(40, 1, 1, 0) * Matrix4::scale(1, -2, 0.5));
   Random random(5);
   int shape = 0;
-  for (const auto& s : shapes()) {
+  for (const auto& s : shapes_with_tangents()) {
     const PlacedShape placed = test::placed(*s, to_world);
     for (int i = 0; i < 300; ++i) {
       const Vec2 at{random.uniform(0.1f, 0.4f), random.uniform(0.1f, 0.4f)};

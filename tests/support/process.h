@@ -107,6 +107,17 @@ inline Outcome run(const TemporaryDirectory& directory, const std::vector<std::s
   return Process(directory, arguments).wait();
 }
 
+/// Runs dspm with a limit on its address space.
+inline Outcome run_below(const TemporaryDirectory& directory, double bytes, const Arguments& arguments) {
+  return Process(directory, arguments, "out.txt", "err.txt",
+                 [bytes] {
+                   const rlimit limit{static_cast<rlim_t>(bytes), RLIM_INFINITY}, no_core{0, 0};
+                   setrlimit(RLIMIT_AS, &limit);
+                   setrlimit(RLIMIT_CORE, &no_core);
+                 })
+      .wait();
+}
+
 /// Runs a shell's command in the directory. Returns its exit code, -signal where a signal ended it; what it says is in
 /// out.txt and err.txt unless it redirects that.
 inline int shell(const TemporaryDirectory& directory, const std::string& command) {
@@ -171,5 +182,10 @@ class TinyDirectory : public TemporaryDirectory {
   TinyDirectory() { put_file(*this / "tiny.dsc", kTinyScene); }
   bool has(const std::string& name) const { return std::filesystem::exists(*this / name); }
 };
+
+/// Runs dspm on the directory's tiny.dsc.
+inline Outcome run_tiny(const TemporaryDirectory& directory, const Arguments& more) {
+  return run(directory, Arguments{"tiny.dsc"} + more);
+}
 
 }  // namespace dspm::test

@@ -16,12 +16,12 @@ const Vec3 kOwn{0.3f, -0.7f, 1.2f};                         // in the texture's 
 const Vec3 kWorld{5 - 2 * kOwn.y, 2 * kOwn.x, 2 * kOwn.z};  // the same point
 TexturePoint at_world() { return {kWorld, {}}; }
 
-constexpr float kTight = 2e-5f;
+constexpr float kTightByHash = 2e-5f;
 
 TEST(Fbm, IsASumOfOctavesInItsOwnSpace) {
   Workshop w;
   const auto t = w.make<float>("fbm", {integer_param("octaves", 2), number_param("roughness", .25f)}, placement());
-  EXPECT_NEAR(t->evaluate(at_world()), noise(kOwn) + .25f * noise(kOwn * 1.99f), kTight);
+  EXPECT_NEAR(t->evaluate(at_world()), noise(kOwn) + .25f * noise(kOwn * 1.99f), kTightByHash);
   const auto usual = w.make<Rgb>("fbm", {}, placement());
   float sum = 0;
   for (int i = 0; i < 8; ++i)
@@ -35,7 +35,7 @@ TEST(Fbm, IsASumOfOctavesInItsOwnSpace) {
 TEST(Wrinkled, IsASumOfFoldedOctaves) {
   Workshop w;
   const auto t = w.make<float>("wrinkled", {integer_param("octaves", 2), number_param("roughness", .25f)}, placement());
-  EXPECT_NEAR(t->evaluate(at_world()), std::abs(noise(kOwn)) + .25f * std::abs(noise(kOwn * 1.99f)), kTight);
+  EXPECT_NEAR(t->evaluate(at_world()), std::abs(noise(kOwn)) + .25f * std::abs(noise(kOwn * 1.99f)), kTightByHash);
 }
 
 TEST(Windy, IsWavesTimesGusts) {
@@ -47,7 +47,7 @@ TEST(Windy, IsWavesTimesGusts) {
     return s;
   };
   EXPECT_NEAR(w.make<float>("windy", {}, placement())->evaluate(at_world()),
-              std::abs(sum(kOwn * .1f, 3)) * sum(kOwn, 6), kTight);
+              std::abs(sum(kOwn * .1f, 3)) * sum(kOwn, 6), kTightByHash);
 }
 
 // At t = 0 of a curve its value is the first control point, at t = 1 the fourth.
@@ -105,10 +105,10 @@ TEST(DirectionMix, GoesByTheCosineToItsDirection) {
       {number_param("tex1", 2), number_param("tex2", 10), triple_param(ParamType::vector3, "dir", 3, 0, 0)},
       placement());  // +y in the world
   const auto facing = [&](Vec3 n) { return t->evaluate({{}, {}, n}); };
-  EXPECT_NEAR(facing({0, 1, 0}), 2, kTight);
-  EXPECT_NEAR(facing({0, -1, 0}), 2, kTight);
-  EXPECT_NEAR(facing({1, 0, 0}), 10, kTight);
-  EXPECT_NEAR(facing({.8f, .6f, 0}), .6f * 2 + .4f * 10, kTight);
+  EXPECT_NEAR(facing({0, 1, 0}), 2, kTightByHash);
+  EXPECT_NEAR(facing({0, -1, 0}), 2, kTightByHash);
+  EXPECT_NEAR(facing({1, 0, 0}), 10, kTightByHash);
+  EXPECT_NEAR(facing({.8f, .6f, 0}), .6f * 2 + .4f * 10, kTightByHash);
   EXPECT_EQ(w.make<Rgb>("directionmix", {})->evaluate({{}, {}, {0, 0, 1}}), Rgb(1));
   EXPECT_EQ(w.make<Rgb>("directionmix", {})->evaluate({{}, {}, {0, 1, 0}}), Rgb(0));
   EXPECT_EQ(w.message(), "");

@@ -39,9 +39,9 @@ void expect_near(const Rgb& a, const Rgb& b, double tolerance) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], tolerance);
 }
 
-const std::string kSquare = "Shape \"disk\" \"float radius\" 1\n";
+const std::string kDisk = "Shape \"disk\" \"float radius\" 1\n";
 std::string glowing(const std::string& more) {
-  return "Material \"principled\" \"rgb basecolor\" [0 0 0] \"float specular\" 0 " + more + "\n" + kSquare;
+  return "Material \"principled\" \"rgb basecolor\" [0 0 0] \"float specular\" 0 " + more + "\n" + kDisk;
 }
 const std::string kGlow = "\"rgb emission\" [1 .5 .25] \"float emissionstrength\" 4";
 
@@ -64,7 +64,7 @@ TEST(MaterialLight, TexturesAreFoundByShadowRays) {
            "\"float uscale\" 8 \"float vscale\" .001\n"
            "AttributeBegin Translate 0 0 4 Material \"principled\" " +
            emission + " Shape \"disk\" \"float radius\" 2 AttributeEnd\n" +
-           "Material \"diffuse\" \"rgb reflectance\" [.5 .5 .5]\n" + kSquare;
+           "Material \"diffuse\" \"rgb reflectance\" [.5 .5 .5]\n" + kDisk;
   };
   for (const char* integrator : {R"("path")", R"("vcm" "integer photons" 4000)", R"("dsppm" "integer photons" 4000)"}) {
     const Rgb pattern = seen(floor(R"("texture emission" "halves" "float emissionstrength" 2)"), 64, integrator)[0];
@@ -75,7 +75,7 @@ TEST(MaterialLight, TexturesAreFoundByShadowRays) {
 TEST(MaterialLight, IsDimmedByItsNameAndReplacedWithItsMaterial) {
   const std::vector<Rgb> frames =
       seen("MakeNamedMaterial \"lamp\" \"string type\" \"principled\" \"rgb basecolor\" [0 0 0] \"float specular\" 0 " +
-           kGlow + "\nNamedMaterial \"lamp\"\n" + kSquare + R"(
+           kGlow + "\nNamedMaterial \"lamp\"\n" + kDisk + R"(
 VariationBegin "as it is" Light "lamp" "float scale" 1 VariationEnd
 VariationBegin "half" Light "lamp" "float scale" .5 VariationEnd
 VariationBegin "off" MakeNamedMaterial "lamp" "string type" "diffuse" VariationEnd
@@ -129,7 +129,7 @@ TEST(MaterialHoles, AreThoseOfBothPartsOfAMix) {
     return seen("AttributeBegin Translate 0 0 -1 " + glowing("\"rgb emission\" [1 1 1]") + "AttributeEnd\n" +
                     "MakeNamedMaterial \"a\" " + (a == "air" ? "\"string type\" \"interface\"" : black + a) +
                     "\nMakeNamedMaterial \"b\" " + (b == "air" ? "\"string type\" \"interface\"" : black + b) +
-                    "\nMaterial \"mix\" \"string materials\" [\"a\" \"b\"] \"float amount\" .25\n" + kSquare,
+                    "\nMaterial \"mix\" \"string materials\" [\"a\" \"b\"] \"float amount\" .25\n" + kDisk,
                 64)[0];
   };
   constexpr double kTolerance = 0.03;  // five deviations of 4096 rays
@@ -149,7 +149,7 @@ Texture "holes" "float" "constant" "float value" .25
 Material "principled" "texture alpha" "holes" "rgb basecolor" [0 0 0] "float specular" 0
 Shape "disk" "float radius" 1 AttributeEnd
 Material "diffuse" "rgb reflectance" [1 1 1]
-)" + kSquare;
+)" + kDisk;
   const float lit = 0.75f * std::sqrt(0.5f);
   expect_near(seen(contents, 64)[0], Rgb(lit), 0.03);
   const char* photons = R"("dsppm" "string direct" "photons" "integer photons" 20000 "float radius" .3)";

@@ -59,13 +59,13 @@ std::string error_of(const std::string& looks) {
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 // Five standard deviations of a mean of 20,000 are 0.018 at most.
-void expect_near(const Rgb& a, const Rgb& b) {
+void expect_colour(const Rgb& a, const Rgb& b) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], 0.018f) << c;
 }
 
 TEST(Mix, TheAmountIsTheShareOfTheSecond) {
   for (const float amount : {0.25f, 0.5f, 0.9f})
-    expect_near(
+    expect_colour(
         mean_paint(kPaints +
                    fmt::format(R"(Material "mix" "string materials" ["red" "green"] "float amount" {})", amount)),
         {1 - amount, amount, 0});
@@ -83,18 +83,18 @@ TEST(Mix, NothingAndAllAreExact) {
 
 // If both chose by the same number, one of the inner mix's materials would never show.
 TEST(Mix, MixesOfMixesChooseIndependently) {
-  expect_near(mean_paint(std::string(kPaints) +
-                         R"(MakeNamedMaterial "inner" "string type" "mix" "string materials" ["green" "blue"]
+  expect_colour(mean_paint(std::string(kPaints) +
+                           R"(MakeNamedMaterial "inner" "string type" "mix" "string materials" ["green" "blue"]
                             Material "mix" "string materials" ["red" "inner"])"),
-              {0.5f, 0.25f, 0.25f});
+                {0.5f, 0.25f, 0.25f});
 }
 
 TEST(Mix, NamesMayBeDefinedLater) {
-  expect_near(mean_paint(R"(Material "mix" "string materials" ["outer" "sand"] "float amount" .5
+  expect_colour(mean_paint(R"(Material "mix" "string materials" ["outer" "sand"] "float amount" .5
     MakeNamedMaterial "outer" "string type" "mix" "string materials" ["sand" "snow"] "float amount" .5
     MakeNamedMaterial "snow" "string type" "diffuse" "rgb reflectance" [0 1 0]
     MakeNamedMaterial "sand" "string type" "diffuse" "rgb reflectance" [1 0 0])"),
-              {0.75f, 0.25f, 0});
+                {0.75f, 0.25f, 0});
 }
 
 // From frame to frame points only change to the second material, and a frame alone is what it is among all.
@@ -142,8 +142,8 @@ TEST(Mix, FaultsAreNamed) {
 TEST(Mix, WhatIsThereIsSharedByWhatStopsTheRay) {
   const std::string looks = std::string(kPaints) + R"(MakeNamedMaterial "air" "string type" "interface"
     MakeNamedMaterial "net" "string type" "mix" "string materials" ["green" "air"])";
-  expect_near(mean_paint(looks + R"(Material "mix" "string materials" ["red" "net"])"), {2 / 3.f, 1 / 3.f, 0});
-  expect_near(mean_paint(looks + R"(Material "mix" "string materials" ["air" "net"])"), {0, 1, 0});
+  expect_colour(mean_paint(looks + R"(Material "mix" "string materials" ["red" "net"])"), {2 / 3.f, 1 / 3.f, 0});
+  expect_colour(mean_paint(looks + R"(Material "mix" "string materials" ["air" "net"])"), {0, 1, 0});
 }
 
 TEST(Mix, HolesFollowVariationsAndKeys) {

@@ -7,7 +7,7 @@ namespace dspm::test {
 namespace {
 
 /// What is said about two sides of a glass box, or three if the second disagrees about the outside.
-std::vector<std::string> warnings(const std::string& param, bool twisted = false) {
+std::vector<std::string> warnings_of_mesh(const std::string& param, bool twisted = false) {
   const std::string scene = "WorldBegin LightSource \"infinite\" Material \"dielectric\" Shape \"trianglemesh\" " +
                             std::string("\"point3 P\" [0 0 0  1 0 0  0 1 0  0 0 1] \"integer indices\" ") +
                             (twisted ? "[0 1 2  0 1 3] " : "[0 1 2  0 3 1] ") + param;
@@ -19,12 +19,13 @@ std::vector<std::string> warnings(const std::string& param, bool twisted = false
 }
 
 TEST(OpenMesh, IsWarnedOfUnlessItIsMeantToBe) {
-  ASSERT_EQ(warnings("").size(), 1u);
-  EXPECT_NE(warnings("").front().find("it is not closed but has 1 hole"), std::string::npos) << warnings("").front();
-  EXPECT_EQ(warnings("\"bool open\" false").size(), 1u);
-  EXPECT_EQ(warnings("\"bool open\" true"), std::vector<std::string>{});
-  ASSERT_EQ(warnings("\"bool open\" true", true).size(), 1u);
-  EXPECT_NE(warnings("\"bool open\" true", true).front().find("disagree about the outside"), std::string::npos);
+  ASSERT_EQ(warnings_of_mesh("").size(), 1u);
+  EXPECT_NE(warnings_of_mesh("").front().find("it is not closed but has 1 hole"), std::string::npos)
+      << warnings_of_mesh("").front();
+  EXPECT_EQ(warnings_of_mesh("\"bool open\" false").size(), 1u);
+  EXPECT_EQ(warnings_of_mesh("\"bool open\" true"), std::vector<std::string>{});
+  ASSERT_EQ(warnings_of_mesh("\"bool open\" true", true).size(), 1u);
+  EXPECT_NE(warnings_of_mesh("\"bool open\" true", true).front().find("disagree about the outside"), std::string::npos);
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 namespace dspm::test {
 namespace {
 
-constexpr const char* kBegin = "Frames 4\nCamera \"perspective\"\nWorldBegin\n";
-constexpr const char* kThings = "Shape \"sphere\" \"float radius\" 0.1\n";
+constexpr const char* kFourFrames = "Frames 4\nCamera \"perspective\"\nWorldBegin\n";
+constexpr const char* kBalls = "Shape \"sphere\" \"float radius\" 0.1\n";
 
 std::string point(double intensity, const std::string& words = "") {
   return fmt::format("LightSource \"point\" \"rgb I\" [{0} {0} {0}] {1}\n", intensity, words);
@@ -22,7 +22,7 @@ TEST(PhotonControls, MultiplyTheShareOfThePaths) {
       "{}{}AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [{l} {l} {l}] \"float photons\" 0.5\n"
       "Shape \"disk\" AttributeEnd\n",
       point(1, "\"float photons\" 3"), point(2), fmt::arg("l", 16 / 3.14159265));
-  TestScene test(kBegin + lights + kThings);
+  TestScene test(kFourFrames + lights + kBalls);
   for (const std::vector<FileFrame>& frames : {test.all_frames(), {FileFrame(2)}}) {
     const auto scene = test.scene(frames);
     const double powers[] = {1, 2, 4}, weights[] = {3, 2, 2};
@@ -43,7 +43,7 @@ TEST(PhotonControls, LeaveShadowRaysAlone) {
   const auto samples = [](const std::string& words) {
     std::string lights = point(9, words);
     for (int i = 0; i < 9; ++i) lights += point(1);
-    TestScene test(kBegin + lights + kThings);
+    TestScene test(kFourFrames + lights + kBalls);
     const auto scene = test.scene({FileFrame(0)});
     std::vector<float> all;
     for (const SceneLight& light : scene->lights) all.push_back(light_samples(*scene, light));
@@ -77,7 +77,7 @@ TEST(PhotonControls, AreTakenFromLightsOfAnyPlugin) {
                           count % 2 == 0);
   }
   ASSERT_GE(count, 5);
-  TestScene test(kBegin + lights + kThings);
+  TestScene test(kFourFrames + lights + kBalls);
   const auto scene = test.scene({FileFrame(0)});
   for (int i = 0; i < count; ++i) {
     EXPECT_EQ(scene->lights[static_cast<std::size_t>(i)].photons, static_cast<float>(i + 1));
@@ -86,8 +86,8 @@ TEST(PhotonControls, AreTakenFromLightsOfAnyPlugin) {
 }
 
 TEST(PhotonControls, AreDefaultsOfAttribute) {
-  TestScene test(std::string(kBegin) + "Attribute \"light\" \"float photons\" 2 \"bool caustics\" false\n" + point(1) +
-                 point(1, "\"float photons\" 5 \"bool caustics\" true") + kThings);
+  TestScene test(std::string(kFourFrames) + "Attribute \"light\" \"float photons\" 2 \"bool caustics\" false\n" +
+                 point(1) + point(1, "\"float photons\" 5 \"bool caustics\" true") + kBalls);
   const auto scene = test.scene({FileFrame(0)});
   EXPECT_EQ(scene->lights[0].photons, 2);
   EXPECT_FALSE(scene->lights[0].caustics);
@@ -97,7 +97,7 @@ TEST(PhotonControls, AreDefaultsOfAttribute) {
 
 // Spheres by their radius: those above 1 make no caustics.
 TEST(PhotonControls, AreTakenFromShapesWhereverTheyAre) {
-  TestScene test(std::string(kBegin) + R"(
+  TestScene test(std::string(kFourFrames) + R"(
 Shape "sphere" "float radius" .1
 Shape "sphere" "float radius" 2 "bool caustics" false
 DynamicBegin "moving" Keyframe 1 Translate 0 0 0 Keyframe 4 Translate 1 0 0 KeyframeEnd
@@ -125,7 +125,7 @@ AttributeEnd
 }
 
 TEST(PhotonControls, LightsHaveNamesOfTheirOwn) {
-  TestScene test(std::string(kBegin) + point(1) + point(1) + point(1, "\"string name\" \"key\"") + R"(
+  TestScene test(std::string(kFourFrames) + point(1) + point(1) + point(1, "\"string name\" \"key\"") + R"(
 AttributeBegin AreaLightSource "diffuse" Shape "disk" Shape "sphere" "string name" "globe" AttributeEnd
 AttributeBegin AreaLightSource "diffuse" "string name" "key" Shape "disk" AttributeEnd
 )");

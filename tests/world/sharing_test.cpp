@@ -91,7 +91,7 @@ std::string lamp(const std::string& name) {
   return "LightSource \"point\" \"rgb I\" [1 1 1] \"string name\" \"" + name + "\"\n";
 }
 
-std::string variation(const std::string& name, const std::vector<std::string>& dark) {
+std::string dark_variation(const std::string& name, const std::vector<std::string>& dark) {
   std::string text = "VariationBegin \"" + name + "\" ";
   for (const std::string& each : dark) text += "Light \"" + each + "\" \"float scale\" 0 ";
   return text + "VariationEnd\n";
@@ -100,8 +100,9 @@ std::string variation(const std::string& name, const std::vector<std::string>& d
 // One lamp of a third of the power is left of three: photon paths choose it as often as each of the others, so a third
 // of them carry its flux.
 TEST(Sharing, TellsWhatPhotonsAreWorthWhereLightsDiffer) {
-  TestScene three("WorldBegin Shape \"sphere\"\n" + lamp("a") + lamp("b") + lamp("c") + variation("one", {"b", "c"}) +
-                  variation("two", {"a", "c"}) + variation("three", {"a", "b"}));
+  TestScene three("WorldBegin Shape \"sphere\"\n" + lamp("a") + lamp("b") + lamp("c") +
+                  dark_variation("one", {"b", "c"}) + dark_variation("two", {"a", "c"}) +
+                  dark_variation("three", {"a", "b"}));
   // Each would be worth 1 / 3 with the others, so each is a group of its own, and worth as much as in its own file.
   EXPECT_NE(explained(three, {2}).find("3 groups, each of which chooses lights for its photons"), std::string::npos)
       << explained(three, {2});
@@ -109,7 +110,7 @@ TEST(Sharing, TellsWhatPhotonsAreWorthWhereLightsDiffer) {
   // Mean powers of 1 and 1/2, so chances of 2/3 and 1/3. With both lit: (1 + 1)^2 / (1 / (2/3) + 1 / (1/3)) = 8/9, with
   // one: 1 / (1 / (2/3)) = 2/3.
   TestScene two("WorldBegin Shape \"sphere\"\n" + lamp("a") + lamp("b") +
-                "VariationBegin \"both\" Light \"a\" \"float scale\" 1 VariationEnd\n" + variation("one", {"b"}));
+                "VariationBegin \"both\" Light \"a\" \"float scale\" 1 VariationEnd\n" + dark_variation("one", {"b"}));
   EXPECT_NE(explained(two, {0, 1})
                 .find("over the 2 frames of the file. Frame one fares worst: the flux of its lights "
                       "is as noisy as with 67% of"),

@@ -121,7 +121,7 @@ TEST(LightScales, MultiplyAlongAxesAndWithTheLightsOwn) {
   EXPECT_EQ(scale(own, 5), 90);
 }
 
-const std::string kBall = R"(
+const std::string kChangingBall = R"(
 Texture "inner" "spectrum" "constant" "rgb value" [.1 .2 .3]
 Texture "cloth" "spectrum" "scale" "texture tex" "inner" "float scale" .5
 MakeNamedMaterial "ball" "string type" "diffuse" "texture reflectance" "cloth"
@@ -137,7 +137,7 @@ TEST(Looks, ChangeWithTheTexturesThatTheyAreMadeOf) {
                                          variation("b", R"(MakeNamedMaterial "other" "string type" "conductor")")) +
                            axis("y", variation("c", R"(MakeNamedMaterial "ball" "string type" "dielectric")") +
                                          variation("d", R"(MakeNamedMaterial "other" "string type" "diffuse")"));
-  TestScene test(test::box("", kBall + axes));
+  TestScene test(test::box("", kChangingBall + axes));
   const auto scene = test.scene(test.all_frames());  // a-c, a-d, b-c, b-d
   const auto states = [&](std::size_t material) {
     std::vector<std::uint64_t> bits;
