@@ -29,6 +29,11 @@ target_compile_options(dspm_settings INTERFACE ${dspm_code_options}
 if(DSPM_WERROR)
   target_compile_options(dspm_settings INTERFACE -Werror)
 endif()
+if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  # The warning is for headers with anonymous namespaces, and takes the sources of a room that are compiled together for
+  # such.
+  target_compile_options(dspm_settings INTERFACE -Wno-subobject-linkage)
+endif()
 target_link_libraries(dspm_settings INTERFACE fmt::fmt Threads::Threads)
 
 # dspm_library(materials SOURCES a.cpp b.cpp NEEDS core textures)
@@ -66,14 +71,8 @@ function(dspm_seldom_run target)
   endif()
 endfunction()
 
-# dspm_test(materials/chi2 LABEL statistical NEEDS materials): tests/materials/chi2_test.cpp becomes one ctest. DATA: it
-# tests nothing but DSPM_TEST_DATA, and counts as skipped where that is absent.
-function(dspm_test name)
-  cmake_parse_arguments(ARG "DATA" "LABEL;TIMEOUT" "NEEDS;USES" ${ARGN})
-  string(REPLACE "/" "_" target ${name}_test)
-  add_executable(${target} ${CMAKE_SOURCE_DIR}/tests/${name}_test.cpp)
-  list(TRANSFORM ARG_NEEDS PREPEND dspm_)
-  target_link_libraries(${target} PRIVATE ${ARG_NEEDS} ${ARG_USES} GTest::gtest_main)
+function(dspm_test_program target)
+  add_executable(${target})
   target_compile_definitions(${target} PRIVATE DSPM_TEST_DATA="${DSPM_TEST_DATA}"
     DSPM_SOURCE_DIR="${CMAKE_SOURCE_DIR}" DSPM_BINARY="$<TARGET_FILE_DIR:dspm>/dspm")
   # Half of the build is tests. The first one's precompiled headers serve them all (the preset "clang" does without, so
@@ -94,7 +93,34 @@ function(dspm_test name)
     target_precompile_headers(${target} PRIVATE <gtest/gtest.h> <fmt/format.h> <algorithm> <filesystem> <fstream>
       <functional> <map> <memory> <optional> <random> <string> <thread> <vector>)
   endif()
-  add_test(NAME ${name} COMMAND ${target})
+endfunction()
+
+# dspm_test(materials/chi2 LABEL statistical RUNS dspm NEEDS materials): tests/materials/chi2_test.cpp becomes one ctest.
+# RUNS: targets that have to be there when it runs. DATA: it tests nothing but DSPM_TEST_DATA, and counts as skipped where
+# that is absent. With CMAKE_UNITY_BUILD a room's tests are one program, which is told the file whose tests to run.
+function(dspm_test name)
+  cmake_parse_arguments(ARG "DATA" "LABEL;TIMEOUT" "NEEDS;USES;RUNS" ${ARGN})
+  get_filename_component(room ${name} DIRECTORY)
+  get_filename_component(file ${name} NAME)
+  if(CMAKE_UNITY_BUILD)
+    set(target ${room}_tests)
+    set(main dspm_test_main)
+    set(command ${target} ${file}_test.cpp)
+  else()
+    string(REPLACE "/" "_" target ${name}_test)
+    set(main GTest::gtest_main)
+    set(command ${target})
+  endif()
+  if(NOT TARGET ${target})
+    dspm_test_program(${target})
+  endif()
+  target_sources(${target} PRIVATE ${CMAKE_SOURCE_DIR}/tests/${name}_test.cpp)
+  list(TRANSFORM ARG_NEEDS PREPEND dspm_)
+  target_link_libraries(${target} PRIVATE ${ARG_NEEDS} ${ARG_USES} ${main})
+  if(ARG_RUNS)
+    add_dependencies(${target} ${ARG_RUNS})
+  endif()
+  add_test(NAME ${name} COMMAND ${command})
   if(NOT ARG_LABEL)
     set(ARG_LABEL quick)
   endif()

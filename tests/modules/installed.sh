@@ -47,12 +47,13 @@ old_paths() {
     fail "there is no <dspm/integrators/gather.h>"
 }
 
-# Those that the build has not compiled alone, as the first line of a source file of their name.
+# Those that the build has not compiled alone, as the first line of a source file of their name: all, if it has compiled
+# sources together.
 not_yet_compiled() {
   local header source
   while read -r header; do
     source=$source_dir/${header%.h}.cpp
-    [[ -f $source && $(grep -m 1 '^#include' "$source") == "#include \"dspm/$header\"" ]] || echo "$header"
+    [[ ! ${compiled_together:-} && -f $source && $(grep -m 1 '^#include' "$source") == "#include \"dspm/$header\"" ]] || echo "$header"
   done <"$work/headers"
 }
 
