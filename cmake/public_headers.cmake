@@ -19,7 +19,7 @@ set(public_headers
   integrators/rejections.h integrators/seen_light.h integrators/statistics.h integrators/summed_iterations.h
   integrators/summing_integrator.h integrators/tiles.h
   lang/file_frames.h
-  lights/light.h
+  lights/light.h lights/light_bounds.h lights/light_tree.h
   materials/bsdf.h materials/interior.h materials/material.h materials/material_set.h materials/microfacet.h
   materials/parameters.h materials/shading_frame.h
   session/job/choices.h
@@ -27,7 +27,7 @@ set(public_headers
   session/renderer.h
   shapes/cutout.h shapes/placed_shape.h shapes/shape.h shapes/triangle_mesh.h
   textures/image_cache.h textures/mip_map.h textures/plugins.h textures/texture.h textures/texture_set.h
-  world/scene/inside.h world/scene/scene.h)
+  world/scene/inside.h world/scene/light_samples.h world/scene/scene.h)
 set(testing_headers
   testing/agreement.h testing/checks.h testing/chi2.h testing/furnace.h testing/promises.h testing/scattering.h
   testing/scattering_cases.h testing/scenes.h testing/test_scene.h testing/verdict.h)

@@ -56,13 +56,15 @@ class DiffuseArea final : public Light {
   DiffuseArea(const PlacedShape& placed, Glow glow, const Strength& strength)
       : placed_(placed),
         glow_(std::move(glow)),
-        points_(placed, brightness(), glow_.pattern ? Measured::deferred : Measured::at_once) {
+        points_(placed, brightness(), glow_.pattern ? Measured::deferred : Measured::at_once, glow_.two_sided),
+        bounds_(bounds_of_emitter(placed, glow_.two_sided)) {
     const Rgb flux_at_1 = points_.total() * (kPi * sides());
     glow_.radiance = glow_.radiance * strength.factor(luminance(flux_at_1));
     power_ = glow_.radiance * flux_at_1;
   }
 
   Rgb power() const override { return power_; }
+  std::optional<LightBounds> bounds() const override { return bounds_; }
 
   std::optional<Emission> emit(Vec2 u_position, Vec2 u_direction) const override {
     if (points_.empty()) return std::nullopt;
@@ -94,15 +96,14 @@ class DiffuseArea final : public Light {
 
   std::optional<Illumination> illuminate(const Vec3& p, Vec2 u) const override {
     if (points_.empty()) return std::nullopt;
-    const EmitterPoints::Start s = points_.sample(u);
+    const EmitterPoints::Seen s = points_.sample_seen(p, u);
     const Vec3 d = s.point.p - p;
     const float distance = length(d);
     const Vec3 wi = d / distance;
     const Rgb radiance = emitted(s.point, -wi) * present_at(s.point);
     if (!(distance > 0) || is_black(radiance)) return std::nullopt;
-    const float pdf_w = s.pdf_a * length2(d) / std::abs(dot(s.point.ng, wi));
-    return glow_.hidden ? Illumination{wi, distance, radiance / pdf_w, 0, s.point.ng, s.primitive}
-                        : Illumination{wi, distance, radiance, pdf_w, s.point.ng, s.primitive};
+    return glow_.hidden ? Illumination{wi, distance, radiance / s.pdf_w, 0, s.point.ng, s.primitive}
+                        : Illumination{wi, distance, radiance, s.pdf_w, s.point.ng, s.primitive};
   }
 
   Rgb emitted(const SurfacePoint& point, const Vec3& w) const override {
@@ -111,9 +112,8 @@ class DiffuseArea final : public Light {
   }
 
   float pdf_w(const Vec3& from, const SurfacePoint& point, int primitive) const override {
-    const Vec3 d = point.p - from;
-    if (glow_.hidden || !shines_along(point, -d)) return 0;
-    return points_.pdf_a(primitive, point.p, point.ng) * length2(d) * length(d) / std::abs(dot(point.ng, d));
+    if (glow_.hidden || !shines_along(point, from - point.p)) return 0;
+    return points_.seen_pdf_w(from, primitive, point.p, point.ng);
   }
 
   std::optional<Rgb> ratio_to(const Light& other) const override {
@@ -159,6 +159,7 @@ class DiffuseArea final : public Light {
   const PlacedShape& placed_;
   Glow glow_;
   EmitterPoints points_;
+  LightBounds bounds_;
   Rgb power_;
 };
 

@@ -37,9 +37,10 @@ float part(int i, float within, int of) { return (static_cast<float>(i) + within
 
 }  // namespace
 
-EmitterPoints::EmitterPoints(const PlacedShape& placed, Brightness brightness, Measured when)
+EmitterPoints::EmitterPoints(const PlacedShape& placed, Brightness brightness, Measured when, bool two_sided)
     : placed_(placed),
       brightness_(std::move(brightness)),
+      two_sided_(two_sided),
       areas_(static_cast<std::size_t>(placed.shape->primitive_count())) {
   for (std::size_t i = 0; i < areas_.size(); ++i) areas_[i] = world_area(placed, static_cast<int>(i));
   area_ = std::accumulate(areas_.begin(), areas_.end(), 0.0);
@@ -60,7 +61,7 @@ const EmitterPoints::Tables& EmitterPoints::tables() const {
     if (brightness_)
       make_tables(measure(kSamplesAlongCell, Threads::this_one));
     else
-      tables_.primitives.emplace(areas_);
+      choose_by(areas_);
   });
   return tables_;
 }
@@ -120,7 +121,7 @@ void EmitterPoints::make_tables(const std::vector<std::vector<Rgb>>& all) const 
     weights[p] = areas_[p] * table.rows.total() / static_cast<float>(side * side);
     if (has_numbers) tables_.cells.push_back(std::move(table));
   }
-  tables_.primitives.emplace(weights);
+  choose_by(weights);
 }
 
 /// Returns the mean over samples of each cell, row by row.
@@ -137,17 +138,26 @@ std::vector<Rgb> EmitterPoints::brightness_of_cells(int primitive, int samples_a
   return cells;
 }
 
+void EmitterPoints::choose_by(std::span<const float> weights) const {
+  tables_.primitives.emplace(weights);
+  tables_.sight.emplace(placed_, weights, two_sided_);
+}
+
 EmitterPoints::Start EmitterPoints::sample(Vec2 u) const {
   const auto [primitive, probability, rest] = tables().primitives->choose(u.x);
+  return point_of(primitive, probability, {rest, u.y});
+}
+
+EmitterPoints::Start EmitterPoints::point_of(int primitive, float probability, Vec2 u) const {
   const Cells* cells = cells_of(primitive);
   if (cells == nullptr) {
-    Start s{placed_.sample_area(primitive, {rest, u.y}), primitive};
+    Start s{placed_.sample_area(primitive, u), primitive};
     s.pdf_a *= probability;
     return s;
   }
   const Distribution1D::Choice row = cells->rows.choose(u.y);
   const Distribution1D& columns = cells->columns[static_cast<std::size_t>(row.index)];
-  const Distribution1D::Choice column = columns.choose(rest);
+  const Distribution1D::Choice column = columns.choose(u.x);
   const int side = cells->rows.size();
   Start s{placed_.sample_area(primitive, {part(column.index, column.rest, side), part(row.index, row.rest, side)}),
           primitive};
@@ -156,7 +166,11 @@ EmitterPoints::Start EmitterPoints::sample(Vec2 u) const {
 }
 
 float EmitterPoints::pdf_a(int primitive, const Vec3& p, const Vec3& ng) const {
-  const float uniform = tables().primitives->probability(primitive) * placed_.pdf_a(primitive, ng);
+  return pdf_a_of(primitive, tables().primitives->probability(primitive), p, ng);
+}
+
+float EmitterPoints::pdf_a_of(int primitive, float probability, const Vec3& p, const Vec3& ng) const {
+  const float uniform = probability * placed_.pdf_a(primitive, ng);
   const Cells* cells = cells_of(primitive);
   const auto u = cells == nullptr ? std::nullopt : placed_.area_numbers(primitive, p);
   if (!u) return uniform;
@@ -165,6 +179,27 @@ float EmitterPoints::pdf_a(int primitive, const Vec3& p, const Vec3& ng) const {
   const int row = cell(u->y);
   return uniform * cells->rows.probability(row) *
          cells->columns[static_cast<std::size_t>(row)].probability(cell(u->x)) * static_cast<float>(side * side);
+}
+
+// A density by area times distance^2 / cos is one by solid angle.
+EmitterPoints::Seen EmitterPoints::sample_seen(const Vec3& from, Vec2 u) const {
+  const EmitterSight& sight = *tables().sight;
+  const auto [primitive, probability, rest] = sight.choose(from, u.x);
+  if (cells_of(primitive) == nullptr)
+    if (const auto seen = sight.sample(from, primitive, {rest, u.y}))
+      return {seen->point, primitive, probability * seen->pdf_w};
+  const Start start = point_of(primitive, probability, {rest, u.y});
+  const Vec3 d = start.point.p - from;
+  return {start.point, primitive, start.pdf_a * length2(d) * length(d) / std::abs(dot(start.point.ng, d))};
+}
+
+float EmitterPoints::seen_pdf_w(const Vec3& from, int primitive, const Vec3& p, const Vec3& ng) const {
+  const EmitterSight& sight = *tables().sight;
+  const float probability = sight.probability(from, primitive);
+  if (cells_of(primitive) == nullptr)
+    if (const auto pdf_w = sight.pdf_w(from, primitive)) return probability * *pdf_w;
+  const Vec3 d = p - from;
+  return pdf_a_of(primitive, probability, p, ng) * length2(d) * length(d) / std::abs(dot(ng, d));
 }
 
 std::optional<Vec2> EmitterPoints::numbers(int primitive, const Vec3& p) const {

@@ -14,6 +14,7 @@
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/base/params/registry.h"
+#include "dspm/lights/light_bounds.h"
 #include "dspm/shapes/placed_shape.h"
 
 namespace dspm {
@@ -62,6 +63,9 @@ class Light {
   virtual ~Light() = default;
   /// The total flux in W, or a good estimate of it: lights are chosen in proportion to it.
   virtual Rgb power() const = 0;
+  /// Where light leaves from, and which way: of many lights, those that matter at a point are chosen by it. Returns
+  /// nullopt if it is not known, or infinitely far away.
+  virtual std::optional<LightBounds> bounds() const { return std::nullopt; }
   /// Starts a photon path; nullopt if these numbers yield no light. Numbers that are close should give starts that are
   /// close: integrators learn which boxes of numbers are worth drawing from.
   virtual std::optional<Emission> emit(Vec2 u_position, Vec2 u_direction) const = 0;

@@ -27,6 +27,8 @@ class Point final : public Light {
 
   Rgb power() const override { return 4 * kPi * intensity_; }
 
+  std::optional<LightBounds> bounds() const override { return LightBounds{{p_, p_}}; }
+
   std::optional<Emission> emit(Vec2, Vec2 u_direction) const override {
     return Emission{{p_, uniform_sphere(u_direction)}, power(), pdf()};
   }

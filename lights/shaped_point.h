@@ -23,6 +23,8 @@ class ShapedPoint final : public Light {
 
   Rgb power() const override { return power_; }
 
+  std::optional<LightBounds> bounds() const override { return LightBounds{{p_, p_}}; }
+
   std::optional<Emission> emit(Vec2, Vec2 u) const override {
     if (map_.is_black()) return std::nullopt;
     const auto s = map_.sample(u);

@@ -52,6 +52,11 @@ class Spot final : public Light {
   // The falloff has half the solid angle of its ring.
   Rgb power() const override { return kPi * (inner_ + outer_) * intensity_; }
 
+  std::optional<LightBounds> bounds() const override {
+    const float spread = rounded::acos(std::clamp(1 - inner_, -1.f, 1.f));
+    return LightBounds{{p_, p_}, basis_.z, spread, rounded::acos(std::clamp(1 - outer_, -1.f, 1.f)) - spread};
+  }
+
   std::optional<Emission> emit(Vec2, Vec2 u) const override {
     const float share = share_of_inner();
     const float versine =

@@ -56,6 +56,7 @@ class Sweep {
   }
 
   double phi_max() const { return phi_max_; }  // radians
+  bool is_whole() const { return full_; }
   double phi(float u) const { return u * phi_max_; }
   /// Returns nullopt where the shape is cut away.
   std::optional<float> u_of(double x, double y) const {

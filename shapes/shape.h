@@ -87,6 +87,10 @@ class Shape {
   /// nullopt if they are not known.
   virtual std::optional<Vec2> area_numbers(int /*primitive*/, const Vec3& /*p*/) const { return std::nullopt; }
 
+  /// Returns the radius if the shape is a whole sphere around its origin: as a light it is sampled by the cone that it
+  /// fills.
+  virtual std::optional<float> sphere_radius() const { return std::nullopt; }
+
   /// Takes over the primitives of `next` and returns true, if it can: shapes of directives that follow one another and
   /// are alike in all but their geometry, such as the strands of hair, become one.
   virtual bool absorb(Shape& /*next*/) { return false; }

@@ -59,6 +59,11 @@ class Sphere final : public Shape {
 
   float area(int) const override { return static_cast<float>(sweep_.phi_max() * r_ * (double{z_max_} - z_min_)); }
 
+  std::optional<float> sphere_radius() const override {
+    const bool whole = z_min_ == -r_ && z_max_ == r_ && sweep_.is_whole();
+    return whole ? std::optional(r_) : std::nullopt;
+  }
+
   // A sphere's area between two heights is proportional to their distance. [Archimedes]
   Vec2 sample_area(int, Vec2 u) const override {
     const double z = z_min_ + u.y * (double{z_max_} - z_min_), rho = std::sqrt(std::max(0.0, (r_ + z) * (r_ - z)));

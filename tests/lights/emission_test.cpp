@@ -158,9 +158,15 @@ TEST(Emission, DirectLightNamesThePointThatItSampled) {
       point.ng = point.ns = l->normal;
       EXPECT_NEAR(lamp.light->pdf_w(from, point, l->primitive) / l->pdf_w, 1, 1e-3f) << lamp.name;
       const EmissionPdf pdf = lamp.light->pdf_emit({point.p, -l->wi}, l->normal, l->primitive);
-      const float cosine = std::abs(dot(l->normal, l->wi)), distance2 = l->distance * l->distance;
-      EXPECT_NEAR(pdf.position * distance2 / cosine / l->pdf_w, 1, 1e-3f) << lamp.name;
+      const EmissionNumbers u = lamp.light->emission_numbers({point.p, -l->wi}, l->normal, l->primitive);
       ++n;
+      if (u[0] == kAnyNumber) continue;
+      const auto same =
+          lamp.light->emit({std::min(u[0], 0x1.fffffep-1f), std::min(u[1], 0x1.fffffep-1f)}, {u[2], u[3]});
+      ASSERT_TRUE(same) << lamp.name;
+      if (same->primitive != l->primitive) continue;  // at an edge
+      EXPECT_LT(length(same->ray.origin - point.p), 3e-3f) << lamp.name;
+      EXPECT_NEAR(pdf.position / same->pdf.position, 1, 1e-2f) << lamp.name;
     }
     EXPECT_GT(n, 20) << lamp.name;
   }
