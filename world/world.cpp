@@ -125,6 +125,7 @@ struct World::Impl {
     lights = make_lights(text, geometry, looks, sphere, diagnostics);
     if (diagnostics.error_count() == 0) {
       light_choices = make_light_choices(lights, text.frames.base().count(), text.frames.count());
+      direct_light = make_light_samples(lights, light_choices);
       const auto is_rendered = [&](FileFrame f) {
         return options.rendered == nullptr || std::binary_search(options.rendered->begin(), options.rendered->end(), f);
       };
@@ -241,6 +242,7 @@ struct World::Impl {
   BoundingSphere sphere;
   std::vector<WorldLight> lights;
   LightChoices light_choices;
+  std::vector<LightSamples> direct_light;  // by choice
   DistinctNames light_names;
   std::vector<std::string> light_groups;
   Timeline<std::shared_ptr<const Camera>> camera;
@@ -260,6 +262,12 @@ std::string World::sampling() const {
   for (const WorldLight& light : impl_->lights) add(light.probability);
   for (const std::vector<float>& choice : impl_->light_choices.probabilities)
     for (const float probability : choice) add(probability);
+  for (const WorldLight& light : impl_->lights) {
+    if (impl_->lights.size() <= LightSamples::kFewLights || !light.bounds) continue;
+    const auto& [box, axis, spread, reach, two_sided] = *light.bounds;
+    for (const Vec3& v : {box.low, box.high, axis}) add(v.x), add(v.y), add(v.z);
+    add(spread), add(reach), add(two_sided ? 1.f : 0.f);
+  }
   return fmt::format("{:016x}", digest(bytes));
 }
 
@@ -288,6 +296,7 @@ std::unique_ptr<Scene> World::Impl::scene(std::span<const FileFrame> frames, Con
                              light.controls.caustics, light_choices.shares(light), group_of(light)});
   }
   scene->light_choices = light_choices.in(scene->file_frames);
+  scene->direct_light = direct_light;
   scene->light_names = light_names.all();
   scene->light_groups = light_groups;
   scene->camera = cut(camera, scene->file_frames);

@@ -55,7 +55,8 @@ float DirectBalance::weight_of_scattered(const SceneLight& light, const Light& s
 // far away; the solid angle of a light's surface is its area times cos / distance^2.
 DirectBalance::Densities DirectBalance::densities(const SceneLight& light, const Light& state, const LightStart& start,
                                                   const Place& place, float sample_pdf_w) const {
-  const float cosine = std::abs(dot(place.ng, start.ray.direction)), samples = light_samples(scene_, light);
+  const float cosine = std::abs(dot(place.ng, start.ray.direction)),
+              samples = light_samples(scene_, light, {place.p, place.ng});
   Densities d{0, photons_a_ray_ * samples, 0};
   if (!light.is_delta) {
     d.samples *= sample_pdf_w;

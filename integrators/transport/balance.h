@@ -15,7 +15,8 @@ inline float balance(float own, float other) { return own > 0 ? own / (own + oth
 /// Returns the weight of a light that the path hits at `vertex`.
 inline float weight_of_hit(const Scene& scene, const CameraPath& path, const Vertex& vertex, const Light& light) {
   if (path.pdf_w == 0) return 1;
-  const float samples = light_samples(scene, scene.lights[static_cast<std::size_t>(vertex.shape.light)]);
+  const float samples =
+      light_samples(scene, scene.lights[static_cast<std::size_t>(vertex.shape.light)], path.departure());
   return balance(path.pdf_w, samples * light.pdf_w(path.from, vertex.point, vertex.hit.primitive));
 }
 
@@ -23,7 +24,7 @@ inline float weight_of_hit(const Scene& scene, const CameraPath& path, const Ver
 inline float weight_of_escape(const Scene& scene, const CameraPath& path, const SceneLight& scene_light,
                               const Light& light) {
   if (path.pdf_w == 0) return 1;
-  return balance(path.pdf_w, light_samples(scene, scene_light) * light.escaped_pdf_w(path.ray));
+  return balance(path.pdf_w, light_samples(scene, scene_light, path.departure()) * light.escaped_pdf_w(path.ray));
 }
 
 }  // namespace dspm

@@ -28,7 +28,7 @@ struct CameraPath : PathState {
   Vec3 from = {};  // where the next segment starts: the last surface's point
   // Of its direction, by solid angle; 0 from the camera and off specular lobes: no shadow ray competes.
   float pdf_w = 0;
-  Vec3 from_ng = {};      // the normal there, if it has left a hit point
+  Vec3 from_ng = {};      // the normal there; zero on a surface that turns to rays
   bool indirect = false;  // it has left a hit point: lights that it meets count only while it looks for them
   bool looks = false;     // along its next segment
   bool caught = false;    // its first surface is a shadow catcher
@@ -37,11 +37,14 @@ struct CameraPath : PathState {
   void arrive(const Scene& scene, const Vertex& vertex) {
     if (bounces == 0) caught = scene.is_catcher(vertex.hit.shape);
   }
+  /// The surface that it has left, as a receiver of light that it meets.
+  LightReceiver departure() const { return {from, from_ng}; }
   /// Call this when the path has passed through its segment.
   void travel(float segment) { length += segment, more_spacing += more_spread * segment; }
   /// Call this when the path goes on along that sample.
   void leave(const Vertex& vertex, const BsdfSample& sample) {
-    from = vertex.point.p, pdf_w = sample.specular ? 0 : sample.pdf_w;
+    from = vertex.point.p, from_ng = vertex.point.turns ? Vec3{} : vertex.point.ng,
+    pdf_w = sample.specular ? 0 : sample.pdf_w;
     if (sample.specular && width > 0 && !vertex.point.turns) spread(vertex, sample);
   }
   float diameter(float segment) const {

@@ -28,36 +28,24 @@ inline Ray shadow_ray(const SurfacePoint& point, const Illumination& light) {
   return ray;
 }
 
-// A few lights are all sampled. If there are more, half of the samples are chosen by power, of which a sky or a distant
-// sun would take all, and half among all lights alike.
-inline constexpr std::size_t kFewLights = 8;
-inline constexpr int kSamplesOfMany = 8;
+/// The point as one that gets light, for the choice among many lights.
+inline LightReceiver receiver_at(const SurfacePoint& point) { return {point.p, point.turns ? Vec3{} : point.ng}; }
 
-/// The mean number of samples that sample_direct_light() takes of a light.
-inline float light_samples(const Scene& scene, const SceneLight& light) {
-  if (scene.lights.size() <= kFewLights) return light.probability > 0 ? 1.f : 0.f;
-  return kSamplesOfMany / 2 * (light.probability + 1 / static_cast<float>(scene.lights.size()));
+/// The mean number of samples that sample_direct_light() takes of a light, as far as weights go: the mean over the
+/// frames of the file that have the light, if these choose differently.
+inline float light_samples(const Scene& scene, const SceneLight& light, const LightReceiver& at) {
+  const auto index = static_cast<std::size_t>(&light - scene.lights.data());
+  if (scene.direct_light.size() == 1) return scene.direct_light.front().mean(at, index);
+  float sum = 0;
+  for (std::size_t c = 0; c < scene.direct_light.size(); ++c)
+    if (light.choice_shares[c] > 0) sum += light.choice_shares[c] * scene.direct_light[c].mean(at, index);
+  return sum;
 }
 
 /// Returns whether a shadow ray from each vertex tells all about the light there: nothing but whether it is seen is
 /// open.
 inline bool is_told_by_a_ray(const Scene& scene, const SceneLight& light) {
-  return light.is_delta && light.probability > 0 && scene.lights.size() <= kFewLights;
-}
-
-/// Calls fn(const SceneLight&) for each sample to be taken. One number u in [0, 1) spaces them all: systematic
-/// sampling.
-template <class Fn>
-void for_each_light_sample(const Scene& scene, float u, Fn&& fn) {
-  const bool few = scene.lights.size() <= kFewLights;
-  const float per_light = kSamplesOfMany / 2 / static_cast<float>(scene.lights.size());
-  float by_power = -u, alike = -u;
-  for (const SceneLight& light : scene.lights) {
-    if (few && light.probability > 0) fn(light);
-    if (few) continue;
-    for (by_power += kSamplesOfMany / 2 * light.probability; by_power > 0; by_power -= 1) fn(light);
-    for (alike += per_light; alike > 0; alike -= 1) fn(light);
-  }
+  return light.is_delta && light.probability > 0 && scene.lights.size() <= LightSamples::kFewLights;
 }
 
 /// The start of light, as in Emission.
@@ -86,7 +74,7 @@ struct LightSample {
   const SceneLight& scene_light;
   const Light& light;
   const Illumination& lit;
-  float pdf_w;  // by solid angle; includes the mean number of samples of the light; 0 for a delta light
+  float pdf_w;  // by solid angle; includes light_samples(); 0 for a delta light
 };
 
 /// One of the light samples at a vertex, chosen as they arrive, for frames that choose from the same ones.
@@ -95,20 +83,20 @@ struct ChosenSample {
   float u;        // uniform in [0, 1), whatever has been chosen
   float sum = 0;  // of the weights so far
   float weight = 0;
+  int number = -1;  // of the chosen one: none
   const SceneLight* light = nullptr;
-  const Light* state = nullptr;
   Illumination lit = {};
   Rgb radiance = {};
 
   /// Weights are square roots of the radiance: light that is faint, but perhaps the only one in the open, has its
   /// chance.
-  void offer(const SceneLight& scene_light, const Light& of, const Illumination& from, const Rgb& scattered) {
+  void offer(int of, const SceneLight& scene_light, const Illumination& from, const Rgb& scattered) {
     const float offered = std::sqrt(max_component(scattered));
     sum += offered;
     const float chance = offered / sum;
     if (u < chance) {
       u /= chance;
-      weight = offered, light = &scene_light, state = &of, lit = from, radiance = scattered;
+      weight = offered, number = of, light = &scene_light, lit = from, radiance = scattered;
     } else {
       u = (u - chance) / (1 - chance);
     }
@@ -154,19 +142,23 @@ void sample_direct_light(const Scene& scene, const PathState& path, const Vertex
   const int bounce = path.bounces + 1;
   const Vec2 u = path.random.pair(bounce, kLightPoint);
   const SurfacePoint& point = vertex.point;
+  const LightReceiver receiver = receiver_at(point);
   FrameArray<ChosenSample> choosing;
   choosing.add({frames, path.random.pair(bounce, kLightDirection).x});
   const auto for_each_lit = [&](const Illumination& lit, FrameSet of, auto&& see) {
     ++counts.shadow_rays;
     for_each_open(scene, shadow_ray(point, lit), vertex.inside_beyond(path.inside, lit.wi), of, see);
   };
-  for_each_light_sample(scene, path.random.number(bounce, kLightChoice), [&](const SceneLight& scene_light) {
-    const float samples = light_samples(scene, scene_light);
-    scene_light.states.for_each(frames, [&](FrameSet common, const Light& light) {
-      const auto lit = light.illuminate(point.p, u);
+  int offers = 0;
+  // Of a light that is sampled several times, each sample has a part of the numbers to itself.
+  const auto sample = [&](const SceneLight& scene_light, FrameSet of, float samples, Vec2 numbers) {
+    const float in_weights = scene.direct_light.size() == 1 ? samples : light_samples(scene, scene_light, receiver);
+    scene_light.states.for_each(of, [&](FrameSet common, const Light& light) {
+      const auto lit = light.illuminate(point.p, numbers);
       if (!lit) return;
       const float pdf_w = samples * lit->pdf_w;
-      const Rgb f = scattered(LightSample{scene_light, light, *lit, pdf_w}) * std::abs(dot(lit->wi, point.ns));
+      const Rgb f =
+          scattered(LightSample{scene_light, light, *lit, in_weights * lit->pdf_w}) * std::abs(dot(lit->wi, point.ns));
       if (is_black(f)) return;
       const Rgb radiance = f * lit->radiance / (pdf_w > 0 ? pdf_w : samples);
       if (!is_light(radiance)) {
@@ -179,18 +171,29 @@ void sample_direct_light(const Scene& scene, const PathState& path, const Vertex
           fn(open, radiance * transmittance, [&] { return light_element(scene, scene_light); });
         });
       } else {
-        offer_to(common, choosing, [&](ChosenSample& chosen) { chosen.offer(scene_light, light, *lit, radiance); });
+        offer_to(common, choosing, [&](ChosenSample& chosen) { chosen.offer(offers, scene_light, *lit, radiance); });
+      }
+      ++offers;
+    });
+  };
+  const Vec2 choice{path.random.number(bounce, kLightChoice), path.random.pair(bounce, kLightDirection).y};
+  const double finely = static_cast<double>(choice.x) + 0x1p-24 * static_cast<double>(choice.y);
+  for (std::size_t c = 0; c < scene.direct_light.size(); ++c) {
+    const FrameSet of = frames & scene.light_choices[c].frames;
+    if (of.empty()) continue;
+    scene.direct_light[c].for_each(receiver, finely, [&](std::size_t index, float samples, int count) {
+      for (int i = 0; i < count; ++i) {
+        const float x = u.x + static_cast<float>(i) / static_cast<float>(count);
+        sample(scene.lights[index], of, samples, {x < 1 ? x : x - 1, u.y});
       }
     });
-  });
+  }
   for (std::size_t i = 0; i < choosing.size(); ++i) {
     const ChosenSample first = choosing[i];
-    if (first.frames.empty() || first.light == nullptr) continue;
+    if (first.frames.empty() || first.number < 0) continue;
     // Frames that choose the same sample share its shadow ray.
     FrameSet together;
-    const auto is_same = [&](const ChosenSample& other) {
-      return other.light == first.light && other.state == first.state;
-    };
+    const auto is_same = [&](const ChosenSample& other) { return other.number == first.number; };
     for (const ChosenSample& chosen : choosing)
       if (is_same(chosen)) together |= chosen.frames;
     for_each_lit(first.lit, together, [&](FrameSet open, const Rgb& transmittance) {

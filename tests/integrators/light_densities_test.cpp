@@ -83,7 +83,7 @@ TEST(LightDensities, AreTheSameFromBothEnds) {
       Illumination lit{-w, distance, Rgb(1), 0, e->normal, e->primitive};
       if (is_parallel(state, e->pdf)) lit.distance = kInfinity;
       if (!light.is_delta) lit.pdf_w = pdf_w_of(state, start, point.p);
-      const float pdf_w = light.is_delta ? 0 : light_samples(*scene, light) * lit.pdf_w;
+      const float pdf_w = light.is_delta ? 0 : light_samples(*scene, light, receiver_at(point)) * lit.pdf_w;
       const float of_shadow_ray = emission_over_next_event(pass, {light, state, lit, pdf_w}, point);
       const SubpathWeights sums = weights_at_first_vertex(pass, light, state, *e, point, distance * distance, cosine);
       EXPECT_NEAR(sums.vcm * of_shadow_ray, 1, 2e-3f) << "light " << chosen.light << ", " << (used != nullptr);

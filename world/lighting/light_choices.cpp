@@ -143,6 +143,19 @@ std::vector<LightChoice> LightChoices::in(const std::vector<FileFrame>& frames) 
   return choices;
 }
 
+std::vector<LightSamples> make_light_samples(const std::vector<WorldLight>& lights, const LightChoices& choices) {
+  std::vector<LightSamples> samples;
+  for (int c = 0; c < static_cast<int>(choices.probabilities.size()); ++c) {
+    std::vector<LightSamples::OfLight> all;
+    for (const WorldLight& light : lights) all.push_back({0, light.bounds});
+    for (FileFrame f(0); f.slot() < choices.base; ++f)
+      for (std::size_t i = 0; i < lights.size() && choices.of_frame[f.slot()] == c; ++i)
+        all[i].power += lights[i].power(f);
+    samples.emplace_back(all);
+  }
+  return samples;
+}
+
 // A choice without a frame takes the place of one of those with most.
 std::vector<FileFrame> LightChoices::sample(std::size_t wanted) const {
   const std::size_t all = base, count = std::min(all, std::max(wanted, probabilities.size()));

@@ -211,6 +211,19 @@ float mean_power(const WorldLight& light, int frames) {
   return static_cast<float>(sum / static_cast<double>(frames));
 }
 
+std::optional<LightBounds> bounds_of(const WorldLight& light, int states) {
+  std::optional<LightBounds> all;
+  for (int s = 0; s < states; ++s) {
+    const auto bounds = light.states.states[static_cast<std::size_t>(s)]->bounds();
+    if (!bounds) return std::nullopt;
+    if (all)
+      all->add(*bounds);
+    else
+      all = bounds;
+  }
+  return all;
+}
+
 /// Variations may dim lights that come with geometry files, so their names are checked once these have been read.
 void refuse_unknown_replacements(const SceneDescription& description, const Geometry& geometry,
                                  Diagnostics& diagnostics) {
@@ -285,7 +298,10 @@ std::vector<WorldLight> make_lights(const SceneDescription& description, const G
   if (diagnostics.error_count() > 0) return lights;
   const int base = description.frames.base().count();
   share_out(lights, base, diagnostics);
-  for (WorldLight& light : lights) light.alike = group_alike(light.states.states, light.states.states_of_first(base));
+  for (WorldLight& light : lights) {
+    const int states = light.states.states_of_first(base);
+    light.alike = group_alike(light.states.states, states), light.bounds = bounds_of(light, states);
+  }
   return lights;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "dspm/base/math/frames.h"
@@ -18,6 +19,7 @@ struct WorldLight {
   float probability = 0;      // in proportion to the mean power over the base of the file's frames
   PhotonControls controls;
   std::string group;
+  std::optional<LightBounds> bounds;    // of the states over the base, together; nullopt: some of them light everything
   std::vector<std::vector<int>> alike;  // groups of states whose photons start like the first one's
   bool infinite = false;
   bool is_delta = false;   // neither infinite nor of a shape that can be seen

@@ -16,6 +16,7 @@
 #include "dspm/lights/light.h"
 #include "dspm/materials/material.h"
 #include "dspm/world/scene/inside.h"
+#include "dspm/world/scene/light_samples.h"
 
 namespace dspm {
 
@@ -59,7 +60,7 @@ struct SceneLight {
     std::vector<FrameFactor> factors;
   };
   FrameStates<Light> states;
-  float probability = 0;     // of a direct light sample: its mean power over all frames of the file, over that of all
+  float probability = 0;     // its mean power over all frames of the file, over that of all
   std::vector<Alike> alike;  // all states, grouped
   bool is_delta = false;     // no ray can hit it: it has no surface and is not infinite
   float photons = 1;         // the scene's factor to its share of the photon paths
@@ -118,10 +119,11 @@ class Scene {
   };
   std::vector<AroundCamera> around_camera;
   std::vector<SceneLight> lights;
-  std::vector<LightChoice> light_choices;     // of the file; their frames here are disjoint, and all frames in the end
-  std::span<const std::string> light_names;   // distinct
-  std::span<const std::string> light_groups;  // distinct; the first is that of lights without a group of their own
-  std::vector<int> infinite_lights;           // those that implement escaped()
+  std::vector<LightChoice> light_choices;      // of the file; their frames here are disjoint, and all frames in the end
+  std::span<const LightSamples> direct_light;  // of the frames of each choice
+  std::span<const std::string> light_names;    // distinct
+  std::span<const std::string> light_groups;   // distinct; the first is that of lights without a group of their own
+  std::vector<int> infinite_lights;            // those that implement escaped()
   FrameStates<Camera> camera;
   std::vector<Transform> camera_to_world;              // by frame
   std::vector<std::shared_ptr<const Cutout>> cutouts;  // of shapes

@@ -67,7 +67,8 @@ class CameraSubpathTracer {
     const Vec3& w = path.ray.direction;
     for_each_escape(scene_, frames, path.ray, path.bounces,
                     [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
-                      const float next_event = light_samples(scene_, scene_light) * light.escaped_pdf_w(path.ray);
+                      const float next_event =
+                          light_samples(scene_, scene_light, path.departure()) * light.escaped_pdf_w(path.ray);
                       const LightStart start{{path.ray.origin, -w}, {}, -1};
                       // Nothing else finds a light that the camera sees.
                       const float emission = path.bounces > 0 ? emission_density(pass_, scene_light, light, start) : 0;
@@ -136,8 +137,9 @@ class CameraSubpathTracer {
       const SceneLight& scene_light = scene_.lights[static_cast<std::size_t>(vertex.shape.light)];
       const SurfacePoint& point = vertex.point;
       const int primitive = vertex.hit.primitive;
-      const float next_event =
-          path.pdf_w > 0 ? light_samples(scene_, scene_light) * light.pdf_w(path.from, point, primitive) : 0;
+      const float next_event = path.pdf_w > 0 ? light_samples(scene_, scene_light, path.departure()) *
+                                                    light.pdf_w(path.from, point, primitive)
+                                              : 0;
       const float emission = emission_density(pass_, scene_light, light, {{point.p, vertex.wo}, point.ng, primitive});
       add(path, {lit, radiance * weight_of_hit(path, next_event, emission), nullptr, vertex.shape.light},
           [&] { return vertex.emitter_element(); });

@@ -38,7 +38,7 @@ inline SubpathWeights weights_at_first_vertex(const VcmPass& pass, const SceneLi
                                               float cosine) {
   const LightStart start{emission.ray, emission.normal, emission.primitive};
   const float emitted = emission_density(pass, scene_light, light, start, emission.pdf),
-              samples = light_samples(pass.scene, scene_light);
+              samples = light_samples(pass.scene, scene_light, receiver_at(point));
   const Vec3& w = emission.ray.direction;
   if (is_parallel(light, emission.pdf)) {
     const bool delta = emission.pdf.delta_direction;
@@ -61,7 +61,7 @@ inline float emission_over_next_event(const VcmPass& pass, const LightSample& sa
       emission_density(pass, sample.scene_light, sample.light, start, pdf) * std::abs(dot(lit.wi, point.ng));
   if (emitted == 0) return 0;
   const bool delta = !(sample.pdf_w > 0);
-  const float own = delta ? light_samples(pass.scene, sample.scene_light) : sample.pdf_w;
+  const float own = delta ? light_samples(pass.scene, sample.scene_light, receiver_at(point)) : sample.pdf_w;
   if (is_parallel(sample.light, pdf)) return emitted / own;
   // A point of a surface has a density by area there: the distance cancels.
   return delta ? emitted / (own * lit.distance * lit.distance) : emitted / (own * std::abs(dot(lit.normal, lit.wi)));
