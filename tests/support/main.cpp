@@ -1,6 +1,7 @@
 // The program of all tests of a room: runs those of one file, which is its first argument.
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <string>
 
