@@ -42,7 +42,7 @@ std::string compiler() {
 
 }  // namespace
 
-std::string machine_in_words() {
+std::string machine_and_build_in_words() {
   const double kilobytes = std::strtod(value_in("/proc/meminfo", "MemTotal").c_str(), nullptr);
 #ifdef NDEBUG
   const char* build = "optimised build";

@@ -6,7 +6,7 @@
 
 namespace dspm {
 
-Findings measure_machine(const Setup&) { return {machine_in_words() + ".\n", {}}; }
+Findings measure_machine(const Setup&) { return {machine_and_build_in_words() + ".\n", {}}; }
 
 std::string plot_link(const std::string& name, const std::string& sentence) {
   return fmt::format("![{}](plots/{}.svg)\n", sentence, name);

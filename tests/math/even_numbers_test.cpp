@@ -15,15 +15,15 @@
 namespace dspm {
 namespace {
 
-constexpr double kLevel = 0.0005;  // twenty tests or so
+constexpr double kChance = 0.0005;  // twenty tests or so
 
-PathRandom path(std::uint64_t sequence, std::uint32_t place) {
+PathRandom in_sequence(std::uint64_t sequence, std::uint32_t place) {
   return PathRandom::even(1, Stream::camera, sequence, place);
 }
 
-std::size_t cell(float u, int cells) { return static_cast<std::size_t>(u * static_cast<float>(cells)); }
+std::size_t interval(float u, int cells) { return static_cast<std::size_t>(u * static_cast<float>(cells)); }
 
-double p_value(const std::vector<int>& cells) {
+double chance_of(const std::vector<int>& cells) {
   double sum = 0, statistic = 0;
   for (const int n : cells) sum += n;
   const double expected = sum / static_cast<double>(cells.size());
@@ -31,24 +31,24 @@ double p_value(const std::vector<int>& cells) {
   return test::chi2_tail(statistic, static_cast<int>(cells.size()) - 1);
 }
 
-constexpr int kCells = 16;
+constexpr int kSquares = 16;
 
 std::vector<int> counted(int count, const std::function<Vec2(int)>& pair) {
-  std::vector<int> cells(kCells * kCells);
+  std::vector<int> cells(kSquares * kSquares);
   for (int i = 0; i < count; ++i) {
     const Vec2 u = pair(i);
-    ++cells[cell(u.x, kCells) * kCells + cell(u.y, kCells)];
+    ++cells[interval(u.x, kSquares) * kSquares + interval(u.y, kSquares)];
   }
   return cells;
 }
-double chance_of_pairs(int count, const std::function<Vec2(int)>& pair) { return p_value(counted(count, pair)); }
+double chance_of_pairs(int count, const std::function<Vec2(int)>& pair) { return chance_of(counted(count, pair)); }
 
 /// Returns whether each of the 2^a x 2^b equal rectangles holds one of the 2^(a + b) places from `first` on.
 bool one_in_each(std::uint32_t first, int a, int b, int bounce, int dimension) {
   std::vector<int> cells(std::size_t{1} << (a + b));
   for (std::uint32_t i = 0; i < cells.size(); ++i) {
-    const Vec2 u = path(3, first + i).pair(bounce, dimension);
-    ++cells[(cell(u.x, 1 << a) << b) + cell(u.y, 1 << b)];
+    const Vec2 u = in_sequence(3, first + i).pair(bounce, dimension);
+    ++cells[(interval(u.x, 1 << a) << b) + interval(u.y, 1 << b)];
   }
   return std::all_of(cells.begin(), cells.end(), [](int n) { return n == 1; });
 }
@@ -69,18 +69,18 @@ TEST(EvenNumbers, AreNotEvenWhereNothingIsGained) {
 TEST(EvenNumbers, AreUniformWhateverThePlace) {
   for (const std::uint32_t place : {0u, 1u, 77u, 123456789u})
     for (const int bounce : {0, 3, 4}) {
-      const auto pair = [&](int i) { return path(static_cast<std::uint64_t>(i), place).pair(bounce, 2); };
-      EXPECT_GT(chance_of_pairs(200'000, pair), kLevel) << place << ' ' << bounce;
+      const auto pair = [&](int i) { return in_sequence(static_cast<std::uint64_t>(i), place).pair(bounce, 2); };
+      EXPECT_GT(chance_of_pairs(200'000, pair), kChance) << place << ' ' << bounce;
     }
 }
 
 TEST(EvenNumbers, OfTwoSlotsAreIndependent) {
   for (const auto& [bounce, dimension] : {std::pair(0, 1), std::pair(1, 0), std::pair(2, 6), std::pair(7, 0)}) {
     const auto pair = [&, b = bounce, d = dimension](int i) {
-      const PathRandom random = path(static_cast<std::uint64_t>(i), 5);
+      const PathRandom random = in_sequence(static_cast<std::uint64_t>(i), 5);
       return Vec2{random.number(0, 0), random.number(b, d)};
     };
-    EXPECT_GT(chance_of_pairs(200'000, pair), kLevel) << bounce << ' ' << dimension;
+    EXPECT_GT(chance_of_pairs(200'000, pair), kChance) << bounce << ' ' << dimension;
   }
 }
 
@@ -92,11 +92,11 @@ TEST(EvenNumbers, OfTwoSlotsOfOneSequenceAreIndependent) {
     double statistic = 0;
     for (std::uint64_t s = 0; s < kSequences; ++s) {
       const std::vector<int> cells = counted(places, [&](int i) {
-        const PathRandom random = path(s, static_cast<std::uint32_t>(i));
+        const PathRandom random = in_sequence(s, static_cast<std::uint32_t>(i));
         return Vec2{random.pair(0, 0).y, random.pair(2, 6).x};
       });
-      const double expected = static_cast<double>(places) / (kCells * kCells);
-      for (const int n : cells) statistic += (n - expected) * (n - expected) / expected / (kCells * kCells - 1);
+      const double expected = static_cast<double>(places) / (kSquares * kSquares);
+      for (const int n : cells) statistic += (n - expected) * (n - expected) / expected / (kSquares * kSquares - 1);
     }
     EXPECT_LT(statistic / kSequences, 1.02) << places;
   }
@@ -104,18 +104,18 @@ TEST(EvenNumbers, OfTwoSlotsOfOneSequenceAreIndependent) {
 
 TEST(EvenNumbers, OfTwoSequencesAreIndependent) {
   const auto pair = [](int i) {
-    return Vec2{path(1, static_cast<std::uint32_t>(i)).number(1, 0),
-                path(2, static_cast<std::uint32_t>(i)).number(1, 0)};
+    return Vec2{in_sequence(1, static_cast<std::uint32_t>(i)).number(1, 0),
+                in_sequence(2, static_cast<std::uint32_t>(i)).number(1, 0)};
   };
-  EXPECT_GT(chance_of_pairs(200'000, pair), kLevel);
+  EXPECT_GT(chance_of_pairs(200'000, pair), kChance);
 }
 
 TEST(EvenNumbers, OfLateBouncesAreIndependentBetweenPaths) {
   const auto pair = [](int i) {
     const auto place = static_cast<std::uint32_t>(i);
-    return Vec2{path(1, place).number(6, 0), path(1, place + 1).number(6, 0)};
+    return Vec2{in_sequence(1, place).number(6, 0), in_sequence(1, place + 1).number(6, 0)};
   };
-  EXPECT_GT(chance_of_pairs(200'000, pair), kLevel);
+  EXPECT_GT(chance_of_pairs(200'000, pair), kChance);
 }
 
 /// The squared error of the mean of fn over so many paths, itself a mean over sequences.
@@ -125,7 +125,7 @@ double squared_error(int paths, double truth, bool even, const std::function<dou
   for (std::uint64_t s = 0; s < kSequences; ++s) {
     double mean = 0;
     for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(paths); ++i)
-      mean += fn(even ? path(s, i) : PathRandom(1, Stream::camera, i, s)) / paths;
+      mean += fn(even ? in_sequence(s, i) : PathRandom(1, Stream::camera, i, s)) / paths;
     sum += (mean - truth) * (mean - truth) / kSequences;
   }
   return sum;
