@@ -12,13 +12,22 @@
 
 namespace dspm {
 
+/// Returns a number below 2^32 whose even bits are those of x < 2^16, and whose odd bits those of y: points in Z-order.
+constexpr std::uint32_t interleave_bits(std::uint32_t x, std::uint32_t y) {
+  const auto spread = [](std::uint32_t v) {
+    v = (v | v << 8) & 0x00ff00ffu;
+    v = (v | v << 4) & 0x0f0f0f0fu;
+    v = (v | v << 2) & 0x33333333u;
+    return (v | v << 1) & 0x55555555u;
+  };
+  return spread(x) | spread(y) << 1;
+}
+
 /// Returns the numbers of a pixel's path in an iteration.
 ///
-/// Even numbers come in blocks of iterations: four, and from then on as many as there were before, so that a block begins
-/// anew whenever the iterations have doubled. Blocks are independent of one another; so the two halves of so many
-/// iterations are, and estimates of the error that compare them hold. In a block, all pixels of a large square share one
-/// sequence: a pixel's iterations come one after the other, and pixels in Z-order, so that their errors cancel in squares
-/// of 2 x 2, 4 x 4, 8 x 8 pixels, ..., and are blue noise [Ahmed and Wonka 2020].
+/// Even numbers come in independent blocks of iterations: four, and then as many as there were before, so that estimates
+/// of the error may compare halves. In a block, all pixels of a large square share a sequence, in Z-order: errors cancel
+/// in squares of 2 x 2, 4 x 4, ... pixels and are blue noise [Ahmed and Wonka 2020].
 inline PathRandom camera_numbers(const RenderSettings& render, std::uint64_t seed, int x, int y,
                                  std::uint64_t iteration) {
   if (render.independent_numbers) return {seed, Stream::camera, camera_path_index(render, x, y), iteration};

@@ -36,15 +36,4 @@ constexpr std::uint32_t second_dimension_reversed(std::uint32_t index) {
   return index ^ (index >> 1 & 0x55555555u);
 }
 
-/// Returns a number below 2^32 whose even bits are those of x < 2^16, and whose odd bits those of y: points in Z-order.
-constexpr std::uint32_t interleave_bits(std::uint32_t x, std::uint32_t y) {
-  const auto spread = [](std::uint32_t v) {
-    v = (v | v << 8) & 0x00ff00ffu;
-    v = (v | v << 4) & 0x0f0f0f0fu;
-    v = (v | v << 2) & 0x33333333u;
-    return (v | v << 1) & 0x55555555u;
-  };
-  return spread(x) | spread(y) << 1;
-}
-
 }  // namespace dspm

@@ -20,7 +20,7 @@ constexpr double kLeastVariance = 0.02;  // of a ray; of two samples it is at mo
 class DirectPilot {
  public:
   DirectPilot(const Scene& sample, const RenderSettings& render, const HitPointSettings& settings)
-      : scene_(sample), pixels_(render, few_pixels(render)), settings_(settings) {
+      : scene_(sample), pixels_(with_independent_numbers(render), few_pixels(render)), settings_(settings) {
     settings_.share_paths = true, settings_.frames = few_frames(sample);
   }
 

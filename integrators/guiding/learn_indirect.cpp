@@ -36,7 +36,7 @@ class IndirectPilot {
   IndirectPilot(const Scene& scene, const RenderSettings& render, const PhotonSettings& photon,
                 const HitPointSettings& hit_point, std::int64_t photons, const EmissionGuides& guides)
       : scene_(scene),
-        pixels_(render, few_pixels(render)),
+        pixels_(with_independent_numbers(render), few_pixels(render)),
         rays_(scene, {}),
         photon_(photon),
         hit_point_(hit_point),

@@ -32,6 +32,12 @@ inline double few_pixels(const RenderSettings& of) {
   return std::clamp(static_cast<double>(of.width) * of.height / kPixelsAPilot, kLeast, kMost);
 }
 
+/// For pilots whose iterations are compared: the difference is then their noise.
+inline RenderSettings with_independent_numbers(RenderSettings render) {
+  render.independent_numbers = true;
+  return render;
+}
+
 struct PilotPixels {
   RenderSettings render;  // of the whole image
   int stride;             // between the pixels

@@ -46,10 +46,13 @@ HitPointSettings hit_point_settings(const PhotonMapSettings& s) {
 
 /// A final gather ray needs all incident light; without it, direct light and caustics are estimated separately.
 PhotonSettings global_settings(const PhotonMapSettings& s, const RenderSettings& render) {
-  return {render.seed, render.independent_numbers, Stream::photon, s.max_depth, s.least_alpha, s.final_gather > 0 ? kAllPhotons : kDiffusePhotons};
+  return {render.seed,    render.independent_numbers,
+          Stream::photon, s.max_depth,
+          s.least_alpha,  s.final_gather > 0 ? kAllPhotons : kDiffusePhotons};
 }
 PhotonSettings caustic_settings(const PhotonMapSettings& s, const RenderSettings& render) {
-  return {render.seed, render.independent_numbers, Stream::caustic_photon, s.max_depth, s.least_alpha, kCausticPhotons, true};
+  return {render.seed, render.independent_numbers, Stream::caustic_photon, s.max_depth, s.least_alpha, kCausticPhotons,
+          true};
 }
 
 /// Photon settings whose guides are those in `learned`.

@@ -12,7 +12,7 @@
 namespace dspm::test {
 namespace {
 
-const Arguments kUntil = {"tiny.dsc", "--float", "--until-error", "6%"};
+const Arguments kUntil = {"tiny.dsc", "--float", "--until-error", "3%"};
 
 void expect_success(const TinyDirectory& directory, const Arguments& arguments) {
   const Outcome outcome = run(directory, arguments);
@@ -48,13 +48,13 @@ Result result_of(const Arguments& arguments) {
 TEST(UntilError, EndsWhereTheWorstFrameIsGoodEnough) {
   const Result result = result_of(kUntil);
   ASSERT_EQ(result.errors.size(), 3u);
-  EXPECT_LE(*std::max_element(result.errors.begin(), result.errors.end()), 0.06);
+  EXPECT_LE(*std::max_element(result.errors.begin(), result.errors.end()), 0.03);
   const int end = result.iterations[0];
   EXPECT_EQ(result.iterations, std::vector<int>(3, end));
   ASSERT_GT(end, 8);
   // Not before: a run that is ended there by --iterations has not reached it.
   const Result before = result_of(kUntil + Arguments{"--iterations", std::to_string(end - 1)});
-  EXPECT_GT(*std::max_element(before.errors.begin(), before.errors.end()), 0.06);
+  EXPECT_GT(*std::max_element(before.errors.begin(), before.errors.end()), 0.03);
   EXPECT_EQ(before.iterations[0], end - 1);
 }
 
@@ -90,7 +90,7 @@ TEST(UntilError, EachFrameIntervalHasItsOwnIterations) {
   const Result all = result_of(kUntil + sppm);
   for (const int frame : {0, 1, 2}) {
     const auto j = static_cast<std::size_t>(frame);
-    EXPECT_LE(all.errors[j], 0.06);
+    EXPECT_LE(all.errors[j], 0.03);
     const TinyDirectory directory;
     expect_success(directory, Arguments{"tiny.dsc", "--float", "--frames", std::to_string(frame + 1), "--iterations",
                                         std::to_string(all.iterations[j])} +
@@ -118,7 +118,7 @@ TEST(UntilError, ContinuesARunThatBeganWithoutIt) {
   const TinyDirectory directory;
   expect_success(directory, {"tiny.dsc", "--float", "--iterations", "7", "--checkpoint", "a"});
   expect_success(directory, kUntil + Arguments{"--resume", "a"});
-  EXPECT_LE(result_of(directory).errors.at(0), 0.06);
+  EXPECT_LE(result_of(directory).errors.at(0), 0.03);
 }
 
 TEST(UntilError, ARunWithoutItDoesNotEndAtAnErrorOfZero) {

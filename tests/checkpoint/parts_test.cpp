@@ -113,9 +113,8 @@ TEST_F(Parts, HaveAllOutputs) {
   for (const std::string& channel : header.channels) {
     if (channel.starts_with("object")) continue;  // on edges there may be no majority
     const auto of = [&](const char* file) { return read_exr_channels(directory / file, {channel}); };
-    // The variance is a sum of small differences of large numbers.
-    EXPECT_LE(difference(of("tiny.0002.exr"), of("whole.0002.exr")),
-              channel.starts_with("variance") ? 1e-3f : kRounding)
+    // How much less the variance is than that of independent iterations, each part finds out for itself.
+    EXPECT_LE(difference(of("tiny.0002.exr"), of("whole.0002.exr")), channel.starts_with("variance") ? 0.3f : kRounding)
         << channel;
   }
 }

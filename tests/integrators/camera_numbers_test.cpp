@@ -75,6 +75,10 @@ TEST(CameraNumbers, OfTheFirstAndTheLastHalfAreIndependent) {
   }
 }
 
+TEST(CameraNumbers, InterleaveBits) {
+  static_assert(interleave_bits(0xffffu, 0) == 0x55555555u && interleave_bits(2, 3) == 14);
+}
+
 TEST(CameraNumbers, MayBeIndependent) {
   RenderSettings render = wide();
   render.independent_numbers = true;

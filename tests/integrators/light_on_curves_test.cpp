@@ -160,7 +160,8 @@ DynamicEnd
 LightSource "point" "rgb I@1" [9 9 9] "rgb I@3" [3 2 1] "point3 from" [2 1.5 6])";
   for (const char* integrator :
        {R"("dsppm" "integer photons" 2000)", R"("dsppm" "integer photons" 2000 "string estimator" "hj09")",
-        R"("photonmap" "integer photons" 100 "integer causticphotons" 2000)", R"("vcm" "integer photons" 2000)"}) {
+        R"("photonmap" "integer seed" 2 "integer photons" 100 "integer causticphotons" 2000)",
+        R"("vcm" "integer photons" 2000)"}) {
     const Verdict verdict = check_joint(scene(kLooks[4], integrator, true, "Frames 3", moving), 2);
     EXPECT_TRUE(verdict.passed) << integrator << ": " << verdict.message;
   }

@@ -162,7 +162,6 @@ TEST(EvenNumbers, AreAFunction) {
   static_assert(random.pair(1, 3).x == random.number(1, 3));
   static_assert(random.pair(5, 3).x == random.number(5, 3));
   static_assert(reverse_bits(0x00000001u) == 0x80000000u && reverse_bits(0x12345678u) == 0x1e6a2c48u);
-  static_assert(interleave_bits(0xffffu, 0) == 0x55555555u && interleave_bits(2, 3) == 14);
   EXPECT_NE(random.number(1, 3), PathRandom::even(7, Stream::photon, 5, 3).number(1, 3));
 }
 
