@@ -33,7 +33,7 @@ void expect_frames(const std::vector<IntervalState>& intervals, const std::strin
 class CheckpointFile {
  public:
   /// The first bytes of the file; then come its head, the states, and the checksum of both.
-  static constexpr std::string_view kMagic = "dspm checkpoint 11\n";
+  static constexpr std::string_view kMagic = "dspm checkpoint 12\n";
 
   /// Reads and checks everything but the states. Throws std::runtime_error, naming the file, if it is damaged or not a
   /// checkpoint.
