@@ -10,7 +10,7 @@
 
 #include "dspm/base/math/owen.h"
 #include "dspm/base/math/rng.h"
-#include "dspm/testing/chi2.h"
+#include "tests/support/equal_cells.h"
 
 namespace dspm {
 namespace {
@@ -21,34 +21,24 @@ PathRandom in_sequence(std::uint64_t sequence, std::uint32_t place) {
   return PathRandom::even(1, Stream::camera, sequence, place);
 }
 
-std::size_t interval(float u, int cells) { return static_cast<std::size_t>(u * static_cast<float>(cells)); }
-
-double chance_of(const std::vector<int>& cells) {
-  double sum = 0, statistic = 0;
-  for (const int n : cells) sum += n;
-  const double expected = sum / static_cast<double>(cells.size());
-  for (const int n : cells) statistic += (n - expected) * (n - expected) / expected;
-  return test::chi2_tail(statistic, static_cast<int>(cells.size()) - 1);
-}
-
 constexpr int kSquares = 16;
 
 std::vector<int> counted(int count, const std::function<Vec2(int)>& pair) {
   std::vector<int> cells(kSquares * kSquares);
   for (int i = 0; i < count; ++i) {
     const Vec2 u = pair(i);
-    ++cells[interval(u.x, kSquares) * kSquares + interval(u.y, kSquares)];
+    ++cells[test::cell(u.x, kSquares) * kSquares + test::cell(u.y, kSquares)];
   }
   return cells;
 }
-double chance_of_pairs(int count, const std::function<Vec2(int)>& pair) { return chance_of(counted(count, pair)); }
+double chance_of_pairs(int count, const std::function<Vec2(int)>& pair) { return test::p_value(counted(count, pair)); }
 
 /// Returns whether each of the 2^a x 2^b equal rectangles holds one of the 2^(a + b) places from `first` on.
 bool one_in_each(std::uint32_t first, int a, int b, int bounce, int dimension) {
   std::vector<int> cells(std::size_t{1} << (a + b));
   for (std::uint32_t i = 0; i < cells.size(); ++i) {
     const Vec2 u = in_sequence(3, first + i).pair(bounce, dimension);
-    ++cells[(interval(u.x, 1 << a) << b) + interval(u.y, 1 << b)];
+    ++cells[(test::cell(u.x, 1 << a) << b) + test::cell(u.y, 1 << b)];
   }
   return std::all_of(cells.begin(), cells.end(), [](int n) { return n == 1; });
 }

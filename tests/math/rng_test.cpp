@@ -8,10 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "dspm/testing/chi2.h"
+#include "tests/support/equal_cells.h"
 
 namespace dspm {
 namespace {
+
+using test::cell;
+using test::p_value;
 
 struct Address {
   std::uint64_t seed = 1, stream = 0, path = 1000, iteration = 3;
@@ -85,17 +88,6 @@ const std::vector<Walk>& walks() {
 }
 
 constexpr double kLevel = 0.01 / 60;  // about 60 tests in this file
-
-/// The chance of a chi-square as large, over cells that all expect the same.
-double p_value(const std::vector<int>& cells) {
-  double count = 0, chi2 = 0;
-  for (const int observed : cells) count += observed;
-  const double expected = count / static_cast<double>(cells.size());
-  for (const int observed : cells) chi2 += (observed - expected) * (observed - expected) / expected;
-  return test::chi2_tail(chi2, static_cast<int>(cells.size()) - 1);
-}
-
-std::size_t cell(float u, int cells) { return static_cast<std::size_t>(u * static_cast<float>(cells)); }
 
 TEST(Rng, IsUniformAlongEveryInput) {
   for (const Walk& walk : walks()) {
