@@ -31,6 +31,10 @@ namespace dspm {
 
 namespace {
 
+// OpenEXR registers its types of attributes at first use, and cannot do so again if memory ran out halfway: nothing
+// could be written after that.
+[[maybe_unused]] const bool attributes_are_registered = (Imf::staticInitialize(), true);
+
 /// Returns an image of the data window's size, once that is known to be sane; whole rows of tiles are in memory while
 /// they are read.
 Image image_for(const Imf::Header& header, std::size_t file_bytes) {

@@ -45,7 +45,7 @@ TEST_P(AddressSpace, ALimitIsNoSignal) {
   const std::vector<Image> images = undisturbed.images();
   int failed = 0, done = 0;
   // More memory than enough changes nothing.
-  for (double bytes = 10 * kMegabyte; bytes < 1000 * kMegabyte && done < 6; bytes *= 1.12) {
+  for (double bytes = 10 * kMegabyte; bytes < 4000 * kMegabyte && done < 6; bytes *= 1.12) {
     const Directory directory;
     if (run_below(directory, bytes, {"--version"}).code != 0) continue;  // the libraries alone are too much
     const Outcome outcome = run_below(directory, bytes, {"tiny.dsc", "--nthreads", GetParam(), "--write-every", "1"});
