@@ -44,8 +44,8 @@ TEST_P(AddressSpace, ALimitIsNoSignal) {
   ASSERT_EQ(run(undisturbed, {"tiny.dsc"}).code, 0);
   const std::vector<Image> images = undisturbed.images();
   int failed = 0, done = 0;
-  // More memory than enough changes nothing.
-  for (double bytes = 10 * kMegabyte; bytes < 4000 * kMegabyte && done < 6; bytes *= 1.12) {
+  for (double bytes = 10 * kMegabyte; done < 6; bytes *= 1.12) {  // more memory than enough changes nothing
+    ASSERT_LT(bytes, 4000 * kMegabyte);
     const Directory directory;
     if (run_below(directory, bytes, {"--version"}).code != 0) continue;  // the libraries alone are too much
     const Outcome outcome = run_below(directory, bytes, {"tiny.dsc", "--nthreads", GetParam(), "--write-every", "1"});
@@ -61,7 +61,6 @@ TEST_P(AddressSpace, ALimitIsNoSignal) {
     for (const Image& image : directory.images()) EXPECT_EQ(image.width, 192);
   }
   EXPECT_GT(failed, 1);
-  EXPECT_GT(done, 4);
 }
 
 INSTANTIATE_TEST_SUITE_P(Threads, AddressSpace, ::testing::Values("1", "2", "16"));
