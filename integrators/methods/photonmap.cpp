@@ -172,9 +172,10 @@ class PhotonMapper final : public SummingIntegrator {
       map.build(traces, scene.frame_count(), how.radius / 4);
     };
     build(global_, trace(global_photons(scene, settings_, render_, statistics), settings_.photons), global_how_);
-    const auto caustic = trace(caustic_photons(scene, settings_, render_, statistics), settings_.caustic_photons);
-    build(caustic_, caustic, caustic_how_);
-    build(hidden_, caustic, caustic_how_);
+    caustic_traces_ = trace(caustic_photons(scene, settings_, render_, statistics), settings_.caustic_photons);
+    build(caustic_, caustic_traces_, caustic_how_);
+    build(hidden_, caustic_traces_, caustic_how_);
+    for (PhotonTrace& t : caustic_traces_) t.photons = {}, t.hidden = {};  // the maps have copies of these
   }
 
   void trace_camera_paths(const Scene& scene, std::uint64_t iteration, Statistics& statistics) {
@@ -238,14 +239,15 @@ class PhotonMapper final : public SummingIntegrator {
     std::vector<GatherCounts> gathers;
     for (const TileCounts& c : counts) statistics.camera.segments += c.paths.segments, gathers.push_back(c.gather);
     account(gathers, statistics);
-    statistics.bytes = std::max(
-        statistics.bytes, global_.bytes() + caustic_.bytes() + hidden_.bytes() + done_.bytes() + bytes_of(tiles_));
+    statistics.bytes = std::max(statistics.bytes, global_.bytes() + caustic_.bytes() + hidden_.bytes() +
+                                                      bytes_of(caustic_traces_) + done_.bytes() + bytes_of(tiles_));
   }
 
   PhotonMapSettings settings_;
   RenderSettings render_;
   PhotonMap global_, caustic_;
-  HiddenPhotons hidden_;  // on glossy lobes
+  std::vector<PhotonTrace> caustic_traces_;
+  HiddenPhotons hidden_;  // on glossy lobes; those on curves lie in the traces
   bool has_maps_ = false;
   RadianceEstimate global_how_, caustic_how_;
   std::vector<HitPointTile> tiles_;
