@@ -83,11 +83,11 @@ void halve(Box& box, const std::vector<QuarterSums>& sums, std::size_t low) {
   for (std::size_t chunk = 1; chunk < sums.size(); ++chunk)
     low_before[chunk] = low_before[chunk - 1] + sums[chunk - 1].below(side);
   for_each_chunk(box.records, [&](Records records, std::size_t chunk) {
-    std::size_t lower = low_before[chunk], upper = low + chunk * kSummed - lower;
+    std::size_t next[] = {low_before[chunk], low + chunk * kSummed - low_before[chunk]};
+    const EmissionBox whole = box.box;              // a copy stays in registers: no write to a record may change it
     for (const EmissionRecord& record : records) {  // no branches: they would be mispredicted
-      const std::size_t is_lower = quarter_of(record, box.box, side) < 2;
-      box.room[is_lower ? lower : upper] = record;
-      lower += is_lower, upper += 1 - is_lower;
+      const bool upper = is_in_upper_half(record, whole, side);
+      box.room[next[upper]++] = record;
     }
   });
   box.halves = std::make_unique<std::array<Box, 2>>();

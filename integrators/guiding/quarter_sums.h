@@ -1,7 +1,6 @@
 // What a box of emission numbers holds, by side and quarter of the side: it decides which side is halved.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -12,10 +11,9 @@
 
 namespace dspm {
 
-/// Returns the quarter of a box's side in which the record lies.
-inline int quarter_of(const EmissionRecord& record, const EmissionBox& box, std::size_t side) {
-  const float place = (record.numbers[side] - box.low[side]) * (4 / box.size[side]);
-  return std::clamp(static_cast<int>(place), 0, 3);
+/// Returns whether the record lies in the upper two quarters of a box's side.
+inline bool is_in_upper_half(const EmissionRecord& record, const EmissionBox& box, std::size_t side) {
+  return !((record.numbers[side] - box.low[side]) * (4 / box.size[side]) < 2);
 }
 
 /// The sums over some records of a box. Its four sides are lanes: each record adds its value to the quarter where it

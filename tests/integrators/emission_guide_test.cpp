@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "dspm/base/system/parallel.h"
@@ -178,8 +179,10 @@ TEST(QuarterSums, AreThoseOfEachSide) {
     double expected[4] = {};
     std::size_t below = 0;
     for (const EmissionRecord& record : records) {
-      const int quarter = quarter_of(record, box, side);
+      const float place = (record.numbers[side] - box.low[side]) * (4 / box.size[side]);
+      const int quarter = std::clamp(static_cast<int>(place), 0, 3);
       expected[quarter] += record.value, below += quarter < 2;
+      EXPECT_EQ(is_in_upper_half(record, box, side), quarter >= 2);
     }
     for (std::size_t at = 0; at < 4; ++at) EXPECT_EQ(sums.values(side)[at], expected[at]) << side << " " << at;
     EXPECT_EQ(sums.below(side), below);
