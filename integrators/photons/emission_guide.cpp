@@ -73,7 +73,8 @@ EmissionStart EmissionGuide::draw(const PathRandom& random) const {
     const double below = shares_[child] / shares_[node];
     const bool above = !(rest[side] < below);
     rest[side] = above ? (rest[side] - below) / (1 - below) : rest[side] / below;
-    box = box.half(static_cast<int>(side), above);
+    box.size[side] /= 2;
+    if (above) box.low[side] += box.size[side];
     node = child + above;
   }
   EmissionStart start{static_cast<int>(light), {}, steps_[node].number};
