@@ -59,6 +59,19 @@ const char* found_in_words(const EmissionReport& report) {
                                        : "are found by hit points";
 }
 
+/// Says who brings which light.
+std::string shares_of(const EmissionReport& report) {
+  switch (report.bring) {
+    case PhotonsBring::all: break;
+    case PhotonsBring::caustics:
+      return fmt::format("{}: {} paths an iteration bring caustics, and camera paths find all other light",
+                         report.photons, report.traced);
+    case PhotonsBring::nothing:
+      return fmt::format("{}: none are traced, as camera paths find all light", report.photons);
+  }
+  return fmt::format("{}: {} paths an iteration bring all light", report.photons, report.traced);
+}
+
 std::string how_it_starts(const EmissionReport& report) {
   const std::string found = percent(report.share_found());
   if (report.start != EmissionReport::Start::guided)
@@ -97,10 +110,12 @@ void EmissionReport::add_lights(const Scene& scene, const std::vector<double>& s
 void EmissionReport::persist(StateStream& state) {
   state.text(photons, kMostText);
   state.value(start);
-  if (start > Start::guide_would_not_pay) throw std::runtime_error("its record of what was learned is damaged");
+  state.value(bring);
+  state.value(traced);
+  if (start > Start::needs_none || bring > PhotonsBring::nothing)
+    throw std::runtime_error("its record of what was learned is damaged");
   for (std::uint64_t* count : {&rounds, &paths, &found_without, &found, &cells}) state.value(*count);
   state.value(gain);
-  state.value(goes_on);
   dspm::persist(lights, kLightsListed + 1, state, [&](OfLight& light) {
     state.text(light.name, kMostText);
     for (double* share : {&light.by_power, &light.share}) state.value(*share);
@@ -122,11 +137,15 @@ void EmissionReports::persist(StateStream& state) {
 }
 
 std::string summary_of(const EmissionReport& report) {
+  if (report.bring == PhotonsBring::nothing) return shares_of(report);
   std::string text =
       fmt::format("{}: {} of the paths {}", report.photons, percent(report.share_found()), found_in_words(report));
   if (report.start == EmissionReport::Start::guided)
     text += fmt::format(", {} without a guide", percent(ratio(report.found_without, report.paths)));
-  if (report.goes_on != 0) text += "; they bring caustics, and camera paths what rough surfaces scatter";
+  if (report.bring == PhotonsBring::caustics)
+    text += fmt::format("; {} an iteration bring caustics, and camera paths find all other light", report.traced);
+  else if (report.traced > 0)
+    text += fmt::format("; {} are traced an iteration", report.traced);
   if (report.lights.size() < 2) return text;
   text += "; by light:";
   for (const EmissionReport::OfLight& light : report.lights)
@@ -137,12 +156,10 @@ std::string summary_of(const EmissionReport& report) {
 }
 
 std::vector<std::string> in_words(const EmissionReport& report) {
+  const std::string better = ", with less noise in the same time.";
+  if (report.bring == PhotonsBring::nothing) return {shares_of(report) + better};
   std::vector<std::string> lines{how_it_starts(report)};
-  if (report.goes_on != 0)
-    lines.push_back(
-        fmt::format("{}: bring caustics only. Camera paths go on from hit points and find what rough "
-                    "surfaces scatter to one another with less noise.",
-                    report.photons));
+  if (report.traced > 0) lines.push_back(shares_of(report) + better);
   for (const EmissionReport::OfLight& light : report.lights)
     lines.push_back(fmt::format("{} of {}: {} of the paths, {} by power; found: {}.", report.photons, light.name,
                                 percent(light.share), percent(light.by_power), found_of(light)));

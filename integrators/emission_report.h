@@ -15,10 +15,13 @@ class Scene;
 /// The name, in reports, of paths that count only if they bring more than direct light.
 inline constexpr const char* kLightPaths = "light paths";
 
+/// The light that an integrator's photons bring; camera paths find the rest.
+enum class PhotonsBring : std::uint8_t { all, caustics, nothing };
+
 /// Reports on one kind of an integrator's photons. What was found is a sample of the pilot paths, by pilot pixels of
 /// the whole image, in a few frames of the file.
 struct EmissionReport {
-  enum class Start : std::uint8_t { asked_by_power, guided, guide_would_not_pay };
+  enum class Start : std::uint8_t { asked_by_power, guided, guide_would_not_pay, needs_none };
   /// One light, or all lights that are not listed.
   struct OfLight {
     std::string name;
@@ -31,7 +34,8 @@ struct EmissionReport {
   std::uint64_t rounds = 0, paths = 0;         // of pilot paths; in a round
   std::uint64_t found_without = 0, found = 0;  // of a round's paths: without a guide; as they start in this run
   std::uint64_t cells = 0;                     // of the guide
-  std::uint8_t goes_on = 0;                    // camera paths, from hit points: these photons bring caustics only
+  PhotonsBring bring = PhotonsBring::all;
+  std::int64_t traced = 0;                     // paths in an iteration; 0: as many as were asked for
   double gain = 0;                             // the time to the same variance without the guide, over that with it
   std::vector<OfLight> lights;                 // where most paths start, then the others as one
 

@@ -16,12 +16,12 @@ namespace dspm {
 bool read_emission(ParamReader& params);
 
 /// Returns what is learned for the settings that matter to it, and remembers it for this run. `photons` is the number
-/// of paths of an iteration, which decides how light is found. If it `may_go_on`, it also learns whether camera paths
-/// go on; without `guided` there is no guide. Nothing is learned if render.file is null. The caller compares
+/// of paths of an iteration, which decides how light is found. If it `may_choose`, it also learns how much of the light
+/// photons bring; without `guided` there is no guide. Nothing is learned if render.file is null. The caller compares
 /// bytes_while_learning with render.memory.
 std::shared_ptr<const LearnedEmission> emission_of_file(const Scene& scene, const RenderSettings& render,
                                                         const PhotonSettings& photon, const HitPointSettings& hit_point,
                                                         int photons, bool guided, Statistics& statistics,
-                                                        bool may_go_on = false);
+                                                        bool may_choose = false);
 
 }  // namespace dspm

@@ -19,8 +19,10 @@ void persist(LearnedEmission& known, StateStream& state) {
   if (known.lights < 0 || known.lights > kMostLights) throw std::runtime_error("its number of lights is not possible");
   known.guides.persist(state, known.lights);
   known.direct.persist(state);
-  state.value(known.goes_on);
-  if (known.goes_on > 1) throw std::runtime_error("its record of how light is found is damaged");
+  state.value(known.bring);
+  state.value(known.traced);
+  if (known.bring > PhotonsBring::nothing || known.traced < 0)
+    throw std::runtime_error("its record of how light is found is damaged");
   known.report.persist(state);
 }
 

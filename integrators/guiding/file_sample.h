@@ -22,7 +22,8 @@ namespace dspm {
 struct LearnedEmission {
   EmissionGuides guides;
   LearnedDirect direct;
-  std::uint8_t goes_on = 0;  // camera paths, from hit points; see learn_indirect.h
+  PhotonsBring bring = PhotonsBring::all;
+  std::int64_t traced = 0;  // photon paths in an iteration, if they do not bring all light
   std::size_t bytes_while_learning = 0;
   std::int32_t lights = 0;
   EmissionReport report;

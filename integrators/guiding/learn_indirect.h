@@ -1,14 +1,19 @@
-// Learns who should find the light that rough surfaces throw on one another: photons, which need a surface full of
-// them, or camera paths, which go on from hit points. Under a sky over a wide ground hardly a photon finds its way from
-// the ground to what stands on it; in a room nearly all do.
+// Learns how much of the light photons should bring: all of it, caustics only, or none. Photons need a surface full of
+// them, and find their way well in a room; under a sky over a wide ground hardly one does. Camera paths find all light but
+// what point, spot and distant lights send through specular lobes; other caustics cost them noise.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
+#include "dspm/integrators/emission_report.h"
+#include "dspm/integrators/guiding/learn_direct.h"
+#include "dspm/integrators/guiding/possible_caustics.h"
 #include "dspm/integrators/integrator.h"
 #include "dspm/integrators/photons/emission_guide.h"
 #include "dspm/integrators/photons/trace_hit_points.h"
 #include "dspm/integrators/photons/trace_photons.h"
+#include "dspm/integrators/transport/path_step.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {
@@ -18,14 +23,47 @@ inline PhotonSettings without_diffuse(PhotonSettings photon) {
   photon.kinds &= ~static_cast<unsigned>(kDiffusePhotons);
   return photon;
 }
+inline PhotonSettings caustics_alone(PhotonSettings photon) {
+  photon.kinds = kCausticPhotons;
+  return photon;
+}
 inline HitPointSettings going_on(HitPointSettings hit_point) {
   hit_point.go_on = true;
   return hit_point;
 }
+/// Camera paths that end nowhere and find what `path` does.
+inline HitPointSettings finding_all(HitPointSettings hit_point) {
+  hit_point.least_alpha = kNothingGathers, hit_point.go_on = false;
+  return hit_point;
+}
 
-/// Returns whether, by pilot paths of both, camera paths that go on would have less variance than photons at equal
-/// work. An iteration traces `photons` paths, drawn with the guides.
-bool paths_that_go_on_pay(const Scene& sample, const RenderSettings& render, const PhotonSettings& photon,
-                          const HitPointSettings& hit_point, std::int64_t photons, const EmissionGuides& guides);
+/// A way to find all light: what photons bring, how many an iteration traces, and the noise at equal work, which is its
+/// merit: the product of an iteration's work and variance.
+struct LightWay {
+  PhotonsBring bring = PhotonsBring::all;
+  std::int64_t photons = 0;
+  double merit = 0;
+};
+
+/// Measures ways by pilot paths in a scene whose frames stand for the file. An iteration traces at most `photons` paths;
+/// those of caustics are drawn with the given guides.
+class LightWays {
+ public:
+  LightWays(const Scene& sample, const RenderSettings& render, const PhotonSettings& photon,
+            const HitPointSettings& hit_point, std::int64_t photons, PossibleCaustics caustics,
+            const EmissionGuides& of_caustics);
+  ~LightWays();
+
+  /// Returns the best of the ways that leave at most caustics to photons.
+  LightWay by_camera_paths() const;
+  /// Returns the way by photons that are drawn with those guides.
+  LightWay by_photons(const EmissionGuides& guides, const LearnedDirect& direct) const;
+  /// Returns what by_photons() may reach if a guide spares all pilot paths that are not found.
+  LightWay by_photons_at_best(const LearnedDirect& direct) const;
+
+ private:
+  class Pilot;
+  std::unique_ptr<Pilot> pilot_;
+};
 
 }  // namespace dspm

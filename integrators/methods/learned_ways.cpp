@@ -1,5 +1,7 @@
 #include "dspm/integrators/methods/learned_ways.h"
 
+#include <algorithm>
+
 #include "dspm/integrators/guiding/emission_of_file.h"
 #include "dspm/integrators/guiding/learn_indirect.h"
 #include "dspm/integrators/possible_state.h"
@@ -11,7 +13,7 @@ LearnedWays::LearnedWays(const ProgressiveSettings& given, const Scene& scene)
 
 void LearnedWays::learn(const Scene& scene, const RenderSettings& render, Statistics& statistics) {
   learned_ = emission_of_file(scene, render, settings_.photon, settings_.hit_point, settings_.photons, settings_.guided,
-                              statistics, settings_.may_go_on);
+                              statistics, settings_.may_choose);
   apply();
 }
 
@@ -19,8 +21,14 @@ void LearnedWays::apply() {
   settings_ = given_;
   if (learned_ == nullptr) return;
   settings_.photon.guides = &learned_->guides;
-  if (learned_->goes_on)
-    settings_.hit_point = going_on(settings_.hit_point), settings_.photon = without_diffuse(settings_.photon);
+  if (learned_->traced > 0) settings_.traced = std::min<std::int64_t>(learned_->traced, settings_.photons);
+  if (learned_->bring == PhotonsBring::nothing) settings_.traced = 0;
+  if (settings_.traced > 0)
+    settings_.photon.flux = static_cast<float>(settings_.photons) / static_cast<float>(settings_.traced);
+  if (learned_->bring == PhotonsBring::all) return;
+  settings_.photon = caustics_alone(settings_.photon), settings_.hit_point.photons_as_well = false;
+  settings_.hit_point =
+      learned_->bring == PhotonsBring::nothing ? finding_all(settings_.hit_point) : going_on(settings_.hit_point);
 }
 
 const ProgressiveSettings& LearnedWays::of_iteration(const Scene& scene, const IterationRadius& radius) {
@@ -31,8 +39,8 @@ const ProgressiveSettings& LearnedWays::of_iteration(const Scene& scene, const I
     settings_.hit_point.sample_direct = settings_.photon.rays_tell = false;
     return settings_;
   }
-  direct_.emplace(scene, DirectWays{by_photons ? settings_.photons : 0, settings_.photon.guides,
-                                    radius.of(learned.radius), learned.photons_a_ray});
+  direct_.emplace(scene, DirectWays{by_photons ? settings_.traced : 0, settings_.photon.guides,
+                                    radius.of(learned.radius), learned.photons_a_ray, settings_.hit_point.go_on});
   settings_.photon.direct = settings_.hit_point.direct = &*direct_;
   return settings_;
 }
@@ -43,8 +51,11 @@ void LearnedWays::persist(StateStream& state) {
   state.value(is_learned);
   emission.direct.persist(state);
   emission.guides.persist(state, lights_);
-  state.value(emission.goes_on);
-  expect_possible(is_learned <= 1 && emission.goes_on <= 1, "its record of how light is found");
+  state.value(emission.bring);
+  state.value(emission.traced);
+  expect_possible(is_learned <= 1 && emission.bring <= PhotonsBring::nothing && emission.traced >= 0 &&
+                      (emission.bring != PhotonsBring::caustics || emission.traced > 0),
+                  "its record of how light is found");
   learned_ = is_learned != 0 ? std::make_shared<const LearnedEmission>(std::move(emission)) : nullptr;
   apply();
 }

@@ -1,5 +1,7 @@
 #include "dspm/integrators/methods/photon_batches.h"
 
+#include <algorithm>
+
 #include "dspm/integrators/light_groups.h"
 #include "dspm/integrators/methods/pixel_sinks.h"
 #include "dspm/integrators/photons/emission_guide.h"
@@ -36,11 +38,12 @@ PhotonBatches batches_within_memory(const ProgressiveSettings& settings, const S
   if (render.memory == 0) return {settings.photons, settings.photons};
   const std::size_t guides = settings.photon.guides != nullptr ? settings.photon.guides->bytes() : 0;
   const double a_path = bytes_a_photon_path(scene, settings.photon, LightGroups(scene, render.outputs));
+  const std::int64_t traced = std::max<std::int64_t>(settings.traced, 1);
   MemoryNeeds needs, least;
   needs.learning = learning;
   needs.hit_points = hit_point_bytes(scene, render, settings.hit_point);
   for (std::int64_t count = 1; count <= kMostBatches; ++count) {
-    const PhotonBatches batches{settings.photons, (settings.photons + count - 1) / count};
+    const PhotonBatches batches{traced, (traced + count - 1) / count};
     if (count > 1 && batches.size < kLeastPaths) break;
     needs.photons = static_cast<std::size_t>(a_path * static_cast<double>(batches.size));
     needs.pixels = pixel_bytes(estimator_settings(settings, scene, render, batches), estimator, scene, render) + guides;

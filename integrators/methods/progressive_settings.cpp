@@ -33,7 +33,8 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
   const std::string indirect = params.choice(
       "indirect", "auto", {"auto", "photons", "paths"},
       "light that rough surfaces scatter to others by photons, or by camera paths that go on from hit points and leave "
-      "only caustics to photons; auto: what has less noise, unless direct is photons");
+      "only caustics to photons; auto: sppm by photons, dsppm by what has less noise in the same time, with as many "
+      "photons as pay or none, unless direct is photons");
   s.guided = read_emission(params);
   const float least_alpha = params.number("gatheralpha", 0.25f, "GGX alpha",
                                           "lobes at least this rough gather photons; smoother ones extend the path");
@@ -55,6 +56,7 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
   params.finish();
   if (s.photons == -1) s.photons = pixel_count(render);  // pbrt's default
   s.photon.seed = render.seed, s.photon.independent_numbers = render.independent_numbers;
+  s.traced = s.photons;
   s.photon.max_depth = s.hit_point.max_depth = max_depth;
   s.photon.least_alpha = s.hit_point.least_alpha = least_alpha;
   s.photon.kinds = direct == "sampled" ? kCausticPhotons | kDiffusePhotons : kAllPhotons;
@@ -62,16 +64,17 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
   s.hit_point.sample_direct = direct != "photons";
   s.hit_point.photons_as_well = s.photon.rays_tell = direct == "both";
   s.photon.hidden = true;
-  s.may_go_on = indirect == "auto" && s.kz11 && direct != "photons";
+  s.may_choose = indirect == "auto" && s.kz11 && direct != "photons";
   if (indirect == "paths") s.hit_point = going_on(s.hit_point), s.photon = without_diffuse(s.photon);
   return s;
 }
 
 std::string in_words(const ProgressiveSettings& s) {
   const float radius = s.hit_point.radius;
-  return fmt::format("{} photons per iteration, initial radius {}, estimator {}, gathering at GGX alpha {} and above",
-                     s.photons, radius > 0 ? fmt::format("{}", radius) : "from the pixel footprint",
-                     s.kz11 ? "kz11" : "hj09", s.photon.least_alpha);
+  return fmt::format("{}{} photons per iteration, initial radius {}, estimator {}, gathering at GGX alpha {} and above",
+                     s.may_choose ? "at most " : "", s.photons,
+                     radius > 0 ? fmt::format("{}", radius) : "from the pixel footprint", s.kz11 ? "kz11" : "hj09",
+                     s.photon.least_alpha);
 }
 
 }  // namespace dspm

@@ -1,6 +1,8 @@
 // The parameters that dsppm and sppm share.
 #pragma once
 
+#include <cstdint>
+
 #include "dspm/base/params/params.h"
 #include "dspm/integrators/integrator.h"
 #include "dspm/integrators/photons/trace_hit_points.h"
@@ -11,10 +13,11 @@ namespace dspm {
 struct ProgressiveSettings {
   int iterations = 256;  // 0: until stopped
   int photons = 300000;  // paths per iteration, in each frame
+  std::int64_t traced = 0;  // of these; the others are made up for by their flux, or bring nothing
   float alpha = 0.7f;
   bool kz11 = true;       // the estimator; else hj09
   bool guided = true;     // photons start where they are found; else by the lights' power
-  bool may_go_on = true;  // camera paths, from hit points, if that pays
+  bool may_choose = true;  // how much of the light photons bring, by what pays
   PhotonSettings photon;
   HitPointSettings hit_point;
 };

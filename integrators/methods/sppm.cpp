@@ -131,7 +131,8 @@ class SppmKz11 final : public PixelEstimator {
 }  // namespace
 
 std::unique_ptr<Integrator> make_sppm(ParamReader& params, const Scene& scene, const RenderSettings& render) {
-  const ProgressiveSettings settings = read_progressive_settings(params, render);
+  ProgressiveSettings settings = read_progressive_settings(params, render);
+  settings.may_choose = false;
   return make_progressive(settings, scene, render,
                           settings.kz11 ? estimator_kind<SppmKz11>() : estimator_kind<SppmHj09>());
 }

@@ -25,7 +25,7 @@ DirectBalance::DirectBalance(const Scene& scene, const DirectWays& ways)
       guides_(ways.guides),
       photons_times_area_(kernel_size(ways.radius * ways.radius, static_cast<float>(ways.photons))),
       photons_a_ray_(ways.photons_a_ray),
-      scatters_(!scene.infinite_lights.empty()) {}
+      scatters_(ways.scatters || !scene.infinite_lights.empty()) {}
 
 // With so many photons, rays could hardly improve on them: none is traced.
 bool DirectBalance::Densities::enough_photons() const {

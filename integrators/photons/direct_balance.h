@@ -18,6 +18,7 @@ struct DirectWays {
   const EmissionGuides* guides = nullptr;  // they are drawn with; null or off: by power
   float radius = 0;                        // of a typical hit point in this iteration
   float photons_a_ray = 1;  // the photons that are as good as one ray: the inverse of its relative variance
+  bool scatters = false;    // scattered rays look for lights even if none is infinite, as they are traced anyway
 };
 
 /// The weights of the ways, which add up to 1 for every path. They may be any functions of the path, so a photon

@@ -1,6 +1,7 @@
 // Writes what photon paths leave in a trace: photons where lobes gather, and hidden ones where glossy lobes may.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "dspm/base/colour/rgb.h"
@@ -18,6 +19,7 @@ namespace dspm {
 struct PhotonPath : PathState {
   unsigned kind = kDirectPhotons;
   int start = 0;         // index into the starts of this path
+  float seen = 0;        // see PhotonTrace
   bool hidden = false;   // see PhotonTrace::hidden
   bool caustics = true;  // see SceneLight
 };
@@ -28,8 +30,16 @@ struct PhotonOrigin {
   const Light& state;
   LightStart start;
   float must_reach;
-  int index;  // of the light
+  int index;       // of the light
+  float radiance;  // its luminance, if wanted; for a delta light, see Emission
+  bool has_place;  // of a delta light: it has a place, from which irradiance falls off
 };
+
+/// Returns the radiance with which it leaves the light; for a delta light, see Emission.
+inline Rgb radiance_of(const Emission& emission) {
+  const float cosine = length2(emission.normal) > 0 ? std::abs(dot(emission.normal, emission.ray.direction)) : 1;
+  return emission.flux * (emission.pdf.position * emission.pdf.direction / cosine);
+}
 
 class PhotonWriter {
  public:
@@ -85,6 +95,7 @@ class PhotonWriter {
       flux *= settings_.direct->weight_of_photon(from.light, from.state, from.start, {point.p, point.ng});
     photons.push_back(photon(path, from, vertex, flux, frames));
     count(photons.back());
+    if (settings_.keep_seen && &photons == &trace_.photons) trace_.seen.push_back(path.seen);
   }
 
   void store_on_curve(const PhotonPath& path, const PhotonOrigin& from, const Vertex& vertex, FrameSet frames) {

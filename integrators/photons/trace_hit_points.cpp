@@ -53,7 +53,8 @@ class HitPointTracer {
       : scene_(scene),
         render_(render),
         settings_(settings),
-        has_hidden_(std::any_of(scene.lights.begin(), scene.lights.end(),
+        has_hidden_(settings.least_alpha < kNothingGathers &&
+                    std::any_of(scene.lights.begin(), scene.lights.end(),
                                 [](const SceneLight& light) { return light.is_delta; })),
         tile_(out),
         out_(scene, settings, out),

@@ -15,7 +15,7 @@ class DirectBalance;
 
 struct HitPointSettings {
   int max_depth = 8;
-  float least_alpha = 0.25f;     // lobes at least this rough gather, smoother ones extend the path
+  float least_alpha = 0.25f;     // lobes at least this rough gather, smoother ones extend the path; kNothingGathers
   float radius = 0;              // 0: from the pixel's footprint
   bool sample_direct = false;    // direct light at the hit point by a shadow ray
   bool photons_as_well = false;  // with sample_direct: photons bring direct light, too, and the ways are weighted

@@ -1,5 +1,7 @@
 #include "dspm/integrators/photons/trace_photons.h"
 
+#include <algorithm>
+
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/system/parallel.h"
@@ -7,12 +9,26 @@
 #include "dspm/integrators/photons/photon_energy.h"
 #include "dspm/integrators/photons/photon_starts.h"
 #include "dspm/integrators/photons/photon_writer.h"
+#include "dspm/integrators/transport/balance.h"
 #include "dspm/integrators/transport/branching_path.h"
+#include "dspm/integrators/transport/direct_light.h"
 #include "dspm/integrators/transport/joint_path.h"
 #include "dspm/integrators/transport/light_value.h"
 
 namespace dspm {
 namespace {
+
+/// Returns PhotonTrace::seen of a photon after its first scattering. A camera path that comes along the sample finds the
+/// light by its own ray or by a shadow ray, with weights that add up to the same for both. Its density is taken for the
+/// photon's.
+float seen_along(const Scene& scene, const PhotonOrigin& from, const Vertex& vertex, const BsdfSample& sample) {
+  if (sample.specular) return from.radiance;
+  if (from.light.is_delta)
+    return sample.pdf_w * from.radiance / (from.has_place ? length2(vertex.point.p - from.start.ray.origin) : 1);
+  const float samples =
+      light_samples(scene, from.light, receiver_at(vertex.point)) * pdf_w_of(from.state, from.start, vertex.point.p);
+  return from.radiance * balance(sample.pdf_w, samples);
+}
 
 unsigned kind_after(const PhotonPath& path, bool rough) {
   return rough || path.kind == kDiffusePhotons ? kDiffusePhotons : kCausticPhotons;
@@ -57,7 +73,7 @@ class PhotonTracer {
       if (frames.empty()) continue;
       const auto emission = start.light->emit({u[0], u[1]}, {u[2], u[3]});
       if (!emission || is_black(emission->flux)) continue;
-      const Rgb flux = emission->flux * start.factor / chosen.density;
+      const Rgb flux = emission->flux * start.factor / chosen.density * settings_.flux;
       if (!is_light(flux) || !is_finite(emission->ray)) {
         reject(frames, {SceneElement::Kind::light, chosen.light});
         continue;
@@ -68,7 +84,9 @@ class PhotonTracer {
                           *start.light,
                           {emission->ray, emission->normal, emission->primitive},
                           emission->must_reach,
-                          chosen.light});
+                          chosen.light,
+                          settings_.keep_seen ? luminance(radiance_of(*emission)) : 0,
+                          !emission->pdf.delta_direction});
       path.random = random, path.strands = start.strands, path.inside = start.inside;
       path.hidden = settings_.hidden && light.is_delta, path.caustics = light.caustics;
       if (start.varied != nullptr && !weigh(path, *start.varied, chosen.light)) {
@@ -170,6 +188,9 @@ class PhotonTracer {
     PhotonPath& branch = branches_.push(path);
     branch.kind = kind_after(path, rough);
     branch.hidden = path.hidden && sample.specular;
+    if (settings_.keep_seen)
+      branch.seen = (path.bounces == 0 ? seen_along(scene_, started(path), vertex, sample) : path.seen) *
+                    std::min(1.f, luminance(sample.weight));
     extend_ray(branch, vertex, sample);
     if (!roulette(branch, vertex, factors, path.random.number(path.bounces, kRoulette))) branches_.drop();
   }
@@ -214,6 +235,7 @@ void clear(PhotonTrace& trace, const StrandTable& of_lights) {
   trace.hidden.clear();
   trace.on_curves.clear();
   trace.ends.clear();
+  trace.seen.clear();
   trace.strands = of_lights, trace.own_strands = of_lights.end();
   trace.paths = {}, trace.stored = {}, trace.rejections = {};
 }

@@ -40,7 +40,9 @@ struct PhotonSettings {
   const EmissionGuides* guides = nullptr;
   const DirectBalance* direct = nullptr;  // weights photons that come straight from a light; null: 1
   bool rays_tell = false;                 // no direct photons of lights that is_told_by_a_ray() are stored
+  float flux = 1;                         // what that of every path is multiplied by
   bool keep_ends = false;                 // the traces say which photons are of which path
+  bool keep_seen = false;                 // the traces say what rays see along the photons, see PhotonTrace::seen
   std::int64_t paths_per_trace = 2048;    // one thread traces them; fewer than these are better shared out
   bool are_light_paths = false;           // reports call them so: what they bring needs no hit points that merge it
 };
@@ -56,6 +58,10 @@ struct PhotonTrace {
     std::size_t photons, hidden, on_curves;
   };
   std::vector<End> ends;  // of each path in these lists, if they are kept
+  /// Of each of `photons`, if kept: the luminance that a camera path would see if it found its way to the light along
+  /// this path, with the weight of this way beside a shadow ray from where the photon was scattered first; 0 for direct
+  /// photons.
+  std::vector<float> seen;
   StrandTable strands;
   StrandList own_strands = 1;  // earlier lists belong to the lights and are the same in all traces
   PathCounts paths;

@@ -18,7 +18,7 @@ namespace dspm {
 namespace {
 
 // The file holds kGuideMagic, a digest of the rest, the scene's facts, and what was learned.
-constexpr std::string_view kGuideMagic = "dspm guide 3\n";
+constexpr std::string_view kGuideMagic = "dspm guide 4\n";
 constexpr const char* kSameScene =
     "a guide suits only the scene that it was learned for; without --guide, dspm learns anew";
 

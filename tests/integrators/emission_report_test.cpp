@@ -183,8 +183,17 @@ TEST(EmissionReport, OnePerKindOfPhotons) {
 }
 
 EmissionReport example(EmissionReport::Start start) {
-  return {"photons", start, 14, 30000, 90,
-          12000,     900,   0,  4,     {{"sun", .5, .25, 7500, 3000}, {"2 others", .5, .75, 0, 0}}};
+  return {"photons",
+          start,
+          14,
+          30000,
+          90,
+          12000,
+          900,
+          PhotonsBring::caustics,
+          5000,
+          4,
+          {{"sun", .5, .25, 7500, 3000}, {"2 others", .5, .75, 0, 0}}};
 }
 
 TEST(EmissionReport, IsTheSameAfterSavingAndLoading) {
