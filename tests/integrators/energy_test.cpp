@@ -60,7 +60,7 @@ TEST_P(Energy, IsKeptInEveryFrame) {
 
 INSTANTIATE_TEST_SUITE_P(
     Integrators, Energy,
-    testing::Values(R"("dsppm" "integer photons" 5000)",
+    testing::Values(R"("dsppm" "string indirect" "photons" "integer photons" 5000)",
                     R"("photonmap" "integer photons" 5000 "integer causticphotons" 5000)",
                     R"("photonmap" "integer photons" 5000 "integer causticphotons" 5000 "integer finalgather" 1)"));
 
@@ -71,7 +71,8 @@ TEST(EnergyOfPhotons, RouletteGivesWhatItTakes) {
   constexpr int kScenes = 12, kFrames = 6;
   for (unsigned seed = 0; seed < kScenes; ++seed) {
     const std::string text =
-        test::RandomScene(seed, kFrames).text(R"(Integrator "dsppm" "integer photons" 1000 "integer maxdepth" 32)");
+        test::RandomScene(seed, kFrames)
+            .text(R"(Integrator "dsppm" "string indirect" "photons" "integer photons" 1000 "integer maxdepth" 32)");
     SCOPED_TRACE(text);
     const auto iterations = balances(text, 24);
     for (std::size_t f = 0; f < kFrames; ++f) {
@@ -112,7 +113,8 @@ TEST(EnergyOfPhotons, IsAbsorbedAsTheAlbedoSays) {
 
 // Through a clear glass ball nothing is lost: all of a lamp's light leaves the scene.
 TEST(EnergyOfPhotons, GlassKeepsAll) {
-  const EnergyBalance e = balances(R"(Integrator "dsppm" "integer photons" 50000 "integer maxdepth" 60
+  const EnergyBalance e =
+      balances(R"(Integrator "dsppm" "string indirect" "photons" "integer photons" 50000 "integer maxdepth" 60
 LookAt 0 0 -4 0 0 0 0 1 0
 Camera "perspective"
 Film "rgb" "integer xresolution" 4 "integer yresolution" 4
@@ -120,7 +122,7 @@ WorldBegin
 LightSource "point" "point3 from" [0.2 0.1 0.3]
 Material "dielectric" "float eta" 1.5
 Shape "sphere" "float radius" 1)",
-                                   1)[0][0];
+               1)[0][0];
   EXPECT_NEAR(e.escaped / e.emitted, 1, 1e-3);
   EXPECT_NEAR(e.absorbed / e.emitted, 0, 1e-3);
 }
