@@ -22,7 +22,8 @@ class RandomScene {
                     textures() + room() + light() + table();
     for (int i = 0; i < 2; ++i) s += "AttributeBegin\n" + place() + material() + still_shape() + "AttributeEnd\n";
     for (int i = 0; i < 3; ++i) s += dynamic(i);
-    return s + product();
+    s += product();
+    return s + curves();
   }
 
  private:
@@ -259,6 +260,30 @@ class RandomScene {
       s += "VariationEnd\n";
     }
     return s;
+  }
+
+  /// Curves of any type, still or turning.
+  std::string curves() {
+    if (whole(0, 2) > 0) return "";
+    const char* types[] = {"flat\"", "cylinder\"", "ribbon\" \"normal N\" [0 0 -1 .6 0 -.8]"};
+    const char* looks[] = {"\"diffuse\"", "\"conductor\" \"float roughness\" .4", "\"coateddiffuse\"",
+                           "\"diffusetransmission\""};
+    const bool turn = whole(0, 1);
+    std::string s = !turn ? "AttributeBegin\n"
+                          : fmt::format(
+                                "DynamicBegin \"lock\" Keyframe 1 Rotate 0 0 1 0 Keyframe {} Rotate 40 0 1 0 "
+                                "KeyframeEnd\n",
+                                last());
+    s += "Material " +
+         (whole(0, 1) ? "\"hair\"" + keyed("rgb sigma_a", "[.1 .3 .6]", "[.6 .3 .1]") : looks[whole(0, 3)]);
+    for (int i = 0; i < 4; ++i) {
+      const float x = real(-1, 1), z = real(-1, 0);
+      s += fmt::format("\nShape \"curve\" \"string type\" \"{} \"float width0\" {} \"float width1\" {}",
+                       types[whole(0, 2)], real(0.05f, 0.2f), real(0.05f, 0.2f)) +
+           fmt::format(" \"point3 P\" [{0} -1.1 {1} {2} -.4 {1} {0} .3 {3} {2} 1 {1}]", x, z, x + real(-0.3f, 0.3f),
+                       z + 0.2f);
+    }
+    return s + (turn ? "\nDynamicEnd\n" : "\nAttributeEnd\n");
   }
 
   static const SceneFiles& files() {
