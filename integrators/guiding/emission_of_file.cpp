@@ -12,6 +12,7 @@
 #include "dspm/integrators/guiding/learn_emission.h"
 #include "dspm/integrators/guiding/learn_indirect.h"
 #include "dspm/integrators/guiding/pilot_paths.h"
+#include "dspm/integrators/photons/shares_of_light.h"
 
 namespace dspm {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "dspm/integrators/guiding/pilot_noise.h"
 #include "dspm/integrators/photons/direct_balance.h"
+#include "dspm/integrators/photons/shares_of_light.h"
 
 namespace dspm {
 namespace {

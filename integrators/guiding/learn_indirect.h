@@ -8,34 +8,14 @@
 
 #include "dspm/integrators/emission_report.h"
 #include "dspm/integrators/guiding/learn_direct.h"
-#include "dspm/integrators/guiding/possible_caustics.h"
 #include "dspm/integrators/integrator.h"
 #include "dspm/integrators/photons/emission_guide.h"
+#include "dspm/integrators/photons/possible_caustics.h"
 #include "dspm/integrators/photons/trace_hit_points.h"
 #include "dspm/integrators/photons/trace_photons.h"
-#include "dspm/integrators/transport/path_step.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {
-
-/// Ends paths where a rough lobe would scatter them.
-inline PhotonSettings without_diffuse(PhotonSettings photon) {
-  photon.kinds &= ~static_cast<unsigned>(kDiffusePhotons);
-  return photon;
-}
-inline PhotonSettings caustics_alone(PhotonSettings photon) {
-  photon.kinds = kCausticPhotons;
-  return photon;
-}
-inline HitPointSettings going_on(HitPointSettings hit_point) {
-  hit_point.go_on = true;
-  return hit_point;
-}
-/// Camera paths that end nowhere and find what `path` does.
-inline HitPointSettings finding_all(HitPointSettings hit_point) {
-  hit_point.least_alpha = kNothingGathers, hit_point.go_on = false;
-  return hit_point;
-}
 
 /// A way to find all light: what photons bring, how many an iteration traces, and the noise at equal work, which is its
 /// merit: the product of an iteration's work and variance.

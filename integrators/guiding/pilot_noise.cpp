@@ -6,7 +6,6 @@
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/system/parallel.h"
-#include "dspm/integrators/guiding/visible_points.h"
 
 namespace dspm {
 namespace {
@@ -66,15 +65,23 @@ std::vector<PhotonTrace> NoisePilot::photons(PhotonSettings photon, const Emissi
   return trace_photons(scene_, photon, iteration, 0, paths_, {});
 }
 
+NoisePilot::Gathering NoisePilot::gathering(const PilotSight& sight) const {
+  return {{sight.tiles, &HitPointTile::hit_points, scale(), scene_.radius},
+          {sight.tiles, &HitPointTile::glossy, scale(), scene_.radius}};
+}
+
 void NoisePilot::add_brought(const PilotSight& sight, const PhotonSettings& photon, const EmissionGuides& guides,
                              std::vector<double>& light) const {
-  const VisiblePoints points(sight.tiles, &HitPointTile::hit_points, scale(), scene_.radius);
-  for (const PhotonTrace& trace : photons(photon, guides, kBrightnessIteration))
-    for (const Photon& each : trace.photons)
-      points.for_each_gathering(each, [&](float radiance, FrameSet frames, const HitPoint& hit) {
-        const double share = static_cast<double>(radiance) / static_cast<double>(paths_);
-        frames.for_each([&](Frame f) { light[index(hit.pixel, f)] += share; });
-      });
+  const auto add = [&](float radiance, FrameSet frames, const HitPoint& hit) {
+    const double share = static_cast<double>(radiance) / static_cast<double>(paths_);
+    frames.for_each([&](Frame f) { light[index(hit.pixel, f)] += share; });
+  };
+  const Gathering points = gathering(sight);
+  for (const PhotonTrace& trace : photons(photon, guides, kBrightnessIteration)) {
+    for (const Photon& each : trace.photons) points.matte.for_each_gathering(each, add);
+    for (const Photon& each : trace.hidden) points.glossy.for_each_gathering(each, add);
+    for (const CurvePhoton& each : trace.on_curves) points.glossy.for_each_gathering(each, add);
+  }
 }
 
 /// Returns the mean of each pilot pixel and of all around it.
@@ -124,27 +131,32 @@ double NoisePilot::noise_of(const PilotSight& sight) const {
 PilotGathers NoisePilot::gathers(const PilotSight& sight, const PhotonSettings& photon,
                                  const EmissionGuides& guides) const {
   const std::vector<PhotonTrace> traces = photons(photon, guides, kNoiseIteration);
-  const VisiblePoints points(sight.tiles, &HitPointTile::hit_points, scale(), scene_.radius);
+  const Gathering points = gathering(sight);
   std::vector<PilotGathers> by_trace(traces.size());
   parallel_for(static_cast<std::int64_t>(traces.size()), 1, [&](std::int64_t t) {
     const PhotonTrace& trace = traces[static_cast<std::size_t>(t)];
     PilotGathers& sums = by_trace[static_cast<std::size_t>(t)];
-    std::size_t i = 0;
+    double along = 0;  // seen; of a light that camera paths never find, 0
+    const auto add = [&](float radiance, FrameSet frames, const HitPoint& hit) {
+      const auto r = static_cast<double>(radiance);
+      double weight = 0;
+      frames.for_each([&](Frame f) { weight += weights_[index(hit.pixel, f)]; });
+      sums.variance += weight * r * r;
+      // A camera path sees that much if it finds the light at all. [Veach 1997, 9.2]
+      const float albedo = luminance(hit.throughput) * (hit.scattering < 0 ? kPi : 1);
+      sums.seen += weight * r * along * static_cast<double>(std::min(1.f, albedo));
+      ++sums.found;
+    };
+    std::size_t i = 0, hidden = 0, curve = 0;
     for (const PhotonTrace::End& end : trace.ends) {
       const double before = sums.found;
       for (; i < end.photons; ++i) {
-        const auto along = static_cast<double>(trace.seen[i]);
-        points.for_each_gathering(trace.photons[i], [&](float radiance, FrameSet frames, const HitPoint& hit) {
-          const auto r = static_cast<double>(radiance);
-          double weight = 0;
-          frames.for_each([&](Frame f) { weight += weights_[index(hit.pixel, f)]; });
-          sums.variance += weight * r * r;
-          // A camera path sees that much if it finds the light at all. [Veach 1997, 9.2]
-          const float albedo = luminance(hit.throughput) * (hit.scattering < 0 ? kPi : 1);
-          sums.seen += weight * r * along * static_cast<double>(std::min(1.f, albedo));
-          ++sums.found;
-        });
+        along = static_cast<double>(trace.seen[i]);
+        points.matte.for_each_gathering(trace.photons[i], add);
       }
+      along = 0;
+      for (; hidden < end.hidden; ++hidden) points.glossy.for_each_gathering(trace.hidden[hidden], add);
+      for (; curve < end.on_curves; ++curve) points.glossy.for_each_gathering(trace.on_curves[curve], add);
       sums.found_share += sums.found > before;
     }
     sums.segments = static_cast<double>(trace.paths.segments.done);

@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "dspm/base/math/frames.h"
 #include "dspm/integrators/guiding/pilot_pixels.h"
+#include "dspm/integrators/guiding/visible_points.h"
 #include "dspm/integrators/integrator.h"
 #include "dspm/integrators/photons/direct_balance.h"
 #include "dspm/integrators/photons/emission_guide.h"
@@ -54,6 +56,11 @@ class NoisePilot {
   PilotGathers gathers(const PilotSight& sight, const PhotonSettings& photon, const EmissionGuides& guides) const;
 
  private:
+  /// The hit points of pilot pixels: ordinary ones, and those of glossy lobes.
+  struct Gathering {
+    VisiblePoints matte, glossy;
+  };
+  Gathering gathering(const PilotSight& sight) const;
   PilotSight see(HitPointSettings hit_point, const DirectBalance* direct, std::uint64_t iteration) const;
   std::vector<PhotonTrace> photons(PhotonSettings photon, const EmissionGuides& guides, std::uint64_t iteration) const;
   void add_brought(const PilotSight& sight, const PhotonSettings& photon, const EmissionGuides& guides,

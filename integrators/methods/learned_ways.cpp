@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "dspm/integrators/guiding/emission_of_file.h"
-#include "dspm/integrators/guiding/learn_indirect.h"
+#include "dspm/integrators/methods/cut_light.h"
+#include "dspm/integrators/photons/shares_of_light.h"
 #include "dspm/integrators/possible_state.h"
 
 namespace dspm {
@@ -43,6 +44,20 @@ const ProgressiveSettings& LearnedWays::of_iteration(const Scene& scene, const I
                                     radius.of(learned.radius), learned.photons_a_ray, settings_.hit_point.go_on});
   settings_.photon.direct = settings_.hit_point.direct = &*direct_;
   return settings_;
+}
+
+void LearnedWays::start_statistics(const Scene& scene, const RenderSettings& render, Statistics& statistics) const {
+  if (given_.may_choose) statistics.cut_light = no_cut_light(scene, render);
+}
+
+void LearnedWays::count_iteration(const Scene& scene, const RenderSettings& render, int number,
+                                  Statistics& statistics) const {
+  const bool goes_on = settings_.hit_point.go_on || settings_.traced == 0;
+  if (!goes_on) return;
+  statistics.typical.photons = 0;  // few may be all that there are
+  if (!statistics.cut_light.empty())
+    count_cut_light(scene, render, {settings_.hit_point.max_depth, true}, static_cast<std::uint64_t>(number),
+                    statistics);
 }
 
 void LearnedWays::persist(StateStream& state) {

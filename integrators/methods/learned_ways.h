@@ -24,6 +24,9 @@ class LearnedWays {
   void learn(const Scene& scene, const RenderSettings& render, Statistics& statistics);
   /// Returns the settings of an iteration whose radii are those. They point into this object.
   const ProgressiveSettings& of_iteration(const Scene& scene, const IterationRadius& radius);
+  void start_statistics(const Scene& scene, const RenderSettings& render, Statistics& statistics) const;
+  /// Counts what these settings leave out, after an iteration.
+  void count_iteration(const Scene& scene, const RenderSettings& render, int number, Statistics& statistics) const;
   /// Returns the settings with what is learned but for the balance of direct light.
   const ProgressiveSettings& settings() const { return settings_; }
   /// The most that learning has taken.

@@ -7,7 +7,6 @@
 #include "dspm/base/math/frames.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/image/image.h"
-#include "dspm/integrators/methods/cut_light.h"
 #include "dspm/integrators/methods/learned_ways.h"
 #include "dspm/integrators/methods/photon_batches.h"
 #include "dspm/integrators/methods/pixel_sinks.h"
@@ -25,7 +24,7 @@ class Progressive final : public Integrator {
               const EstimatorKind& estimator)
       : render_(render), ways_(settings, scene), typical_(hit_point_tile_count(render.crop)) {
     statistics_.steps = {{"emission"}, {"hit points"}, {"photons"}, {"photon map"}, {"statistics"}};
-    if (settings.may_choose) statistics_.cut_light = no_cut_light(scene, render);
+    ways_.start_statistics(scene, render, statistics_);
     // How much memory photons take depends on where they start.
     if (render.memory > 0 || render.learn_at_once) learn(scene);
     batches_ = batches_within_memory(ways_.settings(), scene, render, estimator, ways_.bytes());
@@ -90,20 +89,15 @@ class Progressive final : public Integrator {
     const ProgressiveSettings& how = ways_.of_iteration(scene, radius_);
     trace_camera_paths(scene, how.hit_point, number);
     const float cell_size = mean_search_radius(scene);
-    std::int64_t first = 0;
-    do {
+    for (std::int64_t first = 0; first == 0 || first < how.traced; first += batches_.size) {
       trace_light_paths(scene, how, number, first);
       build_photon_map(scene, cell_size);
       if (first == 0) see_lights();  // not before: if memory ends, it mostly has by now, and no pixel has changed
       gather_photons();
-      first += batches_.size;
-    } while (first < how.traced);
+    }
     for (const auto& sink : sinks_.list) sink->end_iteration();
     statistics_.typical = typical_.typical(tiles_);
-    const bool goes_on = how.hit_point.go_on || how.traced == 0;
-    if (goes_on) statistics_.typical.photons = 0;  // few may be all that there are
-    if (goes_on && !statistics_.cut_light.empty())
-      count_cut_light(scene, render_, {how.hit_point.max_depth, true}, static_cast<std::uint64_t>(number), statistics_);
+    ways_.count_iteration(scene, render_, number, statistics_);
     ++statistics_.iterations;
     go_to_radius_of(statistics_.iterations);
   }
@@ -133,8 +127,8 @@ class Progressive final : public Integrator {
   // [WG12 4.2]
   void trace_light_paths(const Scene& scene, const ProgressiveSettings& how, int iteration, std::int64_t first) {
     const StepTimer timer(statistics_.steps[kPhotons]);
-    const std::int64_t end = std::min(first + batches_.size, how.traced);
-    traces_ = trace_photons(scene, how.photon, static_cast<std::uint64_t>(iteration), first, end, std::move(traces_));
+    traces_ = trace_photons(scene, how.photon, static_cast<std::uint64_t>(iteration), first,
+                            std::min(first + batches_.size, how.traced), std::move(traces_));
     account(traces_, statistics_);
   }
 

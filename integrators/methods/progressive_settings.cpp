@@ -5,8 +5,8 @@
 #include "dspm/base/params/params.h"
 #include "dspm/integrators/common_params.h"
 #include "dspm/integrators/guiding/emission_of_file.h"
-#include "dspm/integrators/guiding/learn_indirect.h"
 #include "dspm/integrators/max_depth.h"
+#include "dspm/integrators/photons/shares_of_light.h"
 #include "dspm/integrators/pixel_count.h"
 
 namespace dspm {

@@ -1,13 +1,10 @@
 // Writes what photon paths leave in a trace: photons where lobes gather, and hidden ones where glossy lobes may.
 #pragma once
 
-#include <cmath>
 #include <vector>
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
-#include "dspm/base/math/vec.h"
-#include "dspm/integrators/photons/direct_balance.h"
 #include "dspm/integrators/photons/trace_photons.h"
 #include "dspm/integrators/transport/direct_light.h"
 #include "dspm/integrators/transport/mixed_frames.h"
@@ -24,22 +21,21 @@ struct PhotonPath : PathState {
   bool caustics = true;  // see SceneLight
 };
 
+/// The luminance that leaves a light along a path; of a delta light, see Emission, and whether irradiance falls off.
+struct LightSeen {
+  float radiance = 0;
+  bool has_place = false;
+};
+
 /// Where a path has started.
 struct PhotonOrigin {
   const SceneLight& light;
   const Light& state;
   LightStart start;
   float must_reach;
-  int index;       // of the light
-  float radiance;  // its luminance, if wanted; for a delta light, see Emission
-  bool has_place;  // of a delta light: it has a place, from which irradiance falls off
+  int index;  // of the light
+  LightSeen seen;
 };
-
-/// Returns the radiance with which it leaves the light; for a delta light, see Emission.
-inline Rgb radiance_of(const Emission& emission) {
-  const float cosine = length2(emission.normal) > 0 ? std::abs(dot(emission.normal, emission.ray.direction)) : 1;
-  return emission.flux * (emission.pdf.position * emission.pdf.direction / cosine);
-}
 
 class PhotonWriter {
  public:
@@ -71,49 +67,17 @@ class PhotonWriter {
   bool gathers(const Vertex& vertex, const Bsdf& bsdf) const {
     return gathering_lobes(bsdf, vertex.point, settings_.least_alpha) != 0;
   }
-  bool is_wanted(const PhotonPath& path, const PhotonOrigin& from) const {
-    if (path.kind == kDirectPhotons && settings_.rays_tell && is_told_by_a_ray(scene_, from.light)) return false;
-    return (path.kind & settings_.kinds) != 0;
-  }
+  bool is_wanted(const PhotonPath& path, const PhotonOrigin& from) const;
   /// Excludes light straight from the light source, which shadow rays find.
   bool is_hidden_on(const PhotonPath& path, const Vertex& vertex, const Bsdf& bsdf) const {
     return path.hidden && path.bounces > 0 && glossy_lobes(bsdf, vertex.point, settings_.least_alpha) != 0;
   }
 
   void store(std::vector<Photon>& photons, const PhotonPath& path, const PhotonOrigin& from, const Vertex& vertex,
-             FrameSet frames) {
-    const SurfacePoint& point = vertex.point;
-    const Vec3& wi = vertex.wo;
-    Rgb flux = path.throughput;
-    if (const Vec3& ns = unbent_normal(point); !(ns == point.ng)) {
-      // If the normals disagree about the side, every scattering function is zero.
-      const float geometric = dot(wi, point.ng), shading = dot(wi, ns);
-      if (!(geometric * shading > 0)) return;
-      flux *= shading / geometric;
-    }
-    if (path.kind == kDirectPhotons && settings_.direct != nullptr)
-      flux *= settings_.direct->weight_of_photon(from.light, from.state, from.start, {point.p, point.ng});
-    photons.push_back(photon(path, from, vertex, flux, frames));
-    count(photons.back());
-    if (settings_.keep_seen && &photons == &trace_.photons) trace_.seen.push_back(path.seen);
-  }
-
-  void store_on_curve(const PhotonPath& path, const PhotonOrigin& from, const Vertex& vertex, FrameSet frames) {
-    trace_.on_curves.push_back({photon(path, from, vertex, path.throughput, frames),
-                                StripPlace(vertex.shape, vertex.hit, vertex.wo), path.bounces});
-    count(trace_.on_curves.back());
-  }
-
-  Photon photon(const PhotonPath& path, const PhotonOrigin& from, const Vertex& vertex, Rgb flux, FrameSet frames) {
-    const StrandList strands = trace_.strands.folded(path.strands, frames, flux);
-    const ShapeFace face(vertex.hit.shape, vertex.point.ng, vertex.wo);
-    return {vertex.point.p, face, vertex.wo, flux, frames, strands, from.index};
-  }
-
-  void count(const Photon& stored) {
-    trace_.stored.add(stored.frames.count());
-    trace_.paths.weighted += stored.strands != 0;
-  }
+             FrameSet frames);
+  void store_on_curve(const PhotonPath& path, const PhotonOrigin& from, const Vertex& vertex, FrameSet frames);
+  Photon photon(const PhotonPath& path, const PhotonOrigin& from, const Vertex& vertex, Rgb flux, FrameSet frames);
+  void count(const Photon& stored);
 
   const Scene& scene_;
   const PhotonSettings& settings_;

@@ -53,9 +53,7 @@ class HitPointTracer {
       : scene_(scene),
         render_(render),
         settings_(settings),
-        has_hidden_(settings.least_alpha < kNothingGathers &&
-                    std::any_of(scene.lights.begin(), scene.lights.end(),
-                                [](const SceneLight& light) { return light.is_delta; })),
+        has_hidden_(settings.least_alpha < kNothingGathers && std::ranges::any_of(scene.lights, &SceneLight::is_delta)),
         tile_(out),
         out_(scene, settings, out),
         light_(scene, settings, out_),

@@ -13,6 +13,8 @@ namespace dspm {
 
 class DirectBalance;
 
+inline constexpr float kNothingGathers = kInfinity;  // a least alpha: all lobes are followed, diffuse ones as well
+
 struct HitPointSettings {
   int max_depth = 8;
   float least_alpha = 0.25f;     // lobes at least this rough gather, smoother ones extend the path; kNothingGathers

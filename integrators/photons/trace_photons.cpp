@@ -1,7 +1,5 @@
 #include "dspm/integrators/photons/trace_photons.h"
 
-#include <algorithm>
-
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/system/parallel.h"
@@ -9,26 +7,13 @@
 #include "dspm/integrators/photons/photon_energy.h"
 #include "dspm/integrators/photons/photon_starts.h"
 #include "dspm/integrators/photons/photon_writer.h"
-#include "dspm/integrators/transport/balance.h"
+#include "dspm/integrators/photons/seen_along.h"
 #include "dspm/integrators/transport/branching_path.h"
-#include "dspm/integrators/transport/direct_light.h"
 #include "dspm/integrators/transport/joint_path.h"
 #include "dspm/integrators/transport/light_value.h"
 
 namespace dspm {
 namespace {
-
-/// Returns PhotonTrace::seen of a photon after its first scattering. A camera path that comes along the sample finds the
-/// light by its own ray or by a shadow ray, with weights that add up to the same for both. Its density is taken for the
-/// photon's.
-float seen_along(const Scene& scene, const PhotonOrigin& from, const Vertex& vertex, const BsdfSample& sample) {
-  if (sample.specular) return from.radiance;
-  if (from.light.is_delta)
-    return sample.pdf_w * from.radiance / (from.has_place ? length2(vertex.point.p - from.start.ray.origin) : 1);
-  const float samples =
-      light_samples(scene, from.light, receiver_at(vertex.point)) * pdf_w_of(from.state, from.start, vertex.point.p);
-  return from.radiance * balance(sample.pdf_w, samples);
-}
 
 unsigned kind_after(const PhotonPath& path, bool rough) {
   return rough || path.kind == kDiffusePhotons ? kDiffusePhotons : kCausticPhotons;
@@ -80,13 +65,8 @@ class PhotonTracer {
       }
       PhotonPath& path = branches_.push({{emission->ray, flux, frames}});
       path.start = static_cast<int>(started_.size());
-      started_.push_back({light,
-                          *start.light,
-                          {emission->ray, emission->normal, emission->primitive},
-                          emission->must_reach,
-                          chosen.light,
-                          settings_.keep_seen ? luminance(radiance_of(*emission)) : 0,
-                          !emission->pdf.delta_direction});
+      const LightStart place{emission->ray, emission->normal, emission->primitive};
+      started_.push_back({light, *start.light, place, emission->must_reach, chosen.light, light_seen(*emission)});
       path.random = random, path.strands = start.strands, path.inside = start.inside;
       path.hidden = settings_.hidden && light.is_delta, path.caustics = light.caustics;
       if (start.varied != nullptr && !weigh(path, *start.varied, chosen.light)) {
@@ -188,9 +168,7 @@ class PhotonTracer {
     PhotonPath& branch = branches_.push(path);
     branch.kind = kind_after(path, rough);
     branch.hidden = path.hidden && sample.specular;
-    if (settings_.keep_seen)
-      branch.seen = (path.bounces == 0 ? seen_along(scene_, started(path), vertex, sample) : path.seen) *
-                    std::min(1.f, luminance(sample.weight));
+    if (settings_.keep_seen) branch.seen = seen_along(scene_, path, started(path), vertex, sample);
     extend_ray(branch, vertex, sample);
     if (!roulette(branch, vertex, factors, path.random.number(path.bounces, kRoulette))) branches_.drop();
   }

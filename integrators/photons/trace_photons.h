@@ -58,9 +58,8 @@ struct PhotonTrace {
     std::size_t photons, hidden, on_curves;
   };
   std::vector<End> ends;  // of each path in these lists, if they are kept
-  /// Of each of `photons`, if kept: the luminance that a camera path would see if it found its way to the light along
-  /// this path, with the weight of this way beside a shadow ray from where the photon was scattered first; 0 for direct
-  /// photons.
+  /// Of each of `photons`, if kept: the luminance that a camera path sees if it finds its way to the light along this
+  /// path, weighted as beside a shadow ray from where the photon was scattered first; 0 for direct photons.
   std::vector<float> seen;
   StrandTable strands;
   StrandList own_strands = 1;  // earlier lists belong to the lights and are the same in all traces

@@ -211,15 +211,12 @@ inline float least_alpha_beside(LobeSet rough, const Bsdf& bsdf, const SurfacePo
   return 0.5f * std::sqrt(std::max(0.f, 1 - chance) / chance);
 }
 
-/// A least alpha: all lobes are followed, diffuse ones as well.
-inline constexpr float kNothingGathers = kInfinity;
-
 /// The lobes on which photons are gathered: those of at least `least_alpha`. Frosted glass is followed however rough it
 /// is: hardly a photon finds its way to where the camera looks at it, but rays through it find lights well. Curves,
 /// which have no area on which to count photons, are followed, too.
 inline LobeSet gathering_lobes(const Bsdf& bsdf, const SurfacePoint& point, float least_alpha) {
   constexpr float kRoughest = 1;
-  if (point.turns || least_alpha == kNothingGathers) return 0;
+  if (point.turns || least_alpha == kInfinity) return 0;
   const LobeSet rough = bsdf.lobes(least_alpha);
   if (rough == 0) return 0;
   if (bsdf.transmits(rough)) return bsdf.lobes(std::max(least_alpha, kRoughest));

@@ -25,7 +25,8 @@ TEST(FoundPhotons, AreInTheLogOfAGuidedRun) {
 TEST(FoundPhotons, AreLightPathsOfVcm) {
   const TinyDirectory directory;
   for (const char* merge : {"true", "false"}) {
-    put_file(directory / "vcm.dsc", tiny_scene("\"dsppm\"", "\"vcm\" \"bool merge\" " + std::string(merge)));
+    put_file(directory / "vcm.dsc",
+             tiny_scene("\"dsppm\" \"string indirect\" \"photons\"", "\"vcm\" \"bool merge\" " + std::string(merge)));
     const std::string log = run(directory, {"vcm.dsc"}).err;
     EXPECT_TRUE(says(log, "dspm: light paths: ")) << log;
     EXPECT_TRUE(says(log, "% of the paths bring what the camera sees other than direct light")) << log;

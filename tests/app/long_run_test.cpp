@@ -42,7 +42,8 @@ TEST_P(LongRun, TakesNoMoreMemoryThanAShortOne) {
   GTEST_SKIP();
 #endif
   const TinyDirectory directory;
-  std::string scene = tiny_scene(R"("dsppm" "integer iterations" 2 "integer photons" 200)", GetParam());
+  std::string scene =
+      tiny_scene(R"("dsppm" "string indirect" "photons" "integer iterations" 2 "integer photons" 200)", GetParam());
   const std::string size = "12 \"integer yresolution\" 8";
   put_file(directory / "tiny.dsc", scene.replace(scene.find(size), size.size(), "48 \"integer yresolution\" 32"));
   const Process process(directory, {"tiny.dsc", "--iterations", iterations(), "--write-every", "20", "--png",

@@ -38,7 +38,7 @@ struct Run {
 };
 
 const std::string kFinalGather =
-    tiny_scene(R"("dsppm" "integer iterations" 2 "integer photons" 200)",
+    tiny_scene(R"("dsppm" "string indirect" "photons" "integer iterations" 2 "integer photons" 200)",
                R"("photonmap" "integer finalgather" 2 "integer photons" 200 "integer causticphotons" 200)");
 
 class Resumed : public testing::TestWithParam<Run> {};
@@ -91,7 +91,7 @@ TEST(Checkpoint, KeepsProgressiveRadii) {
   for (const char* integrator : {"dsppm", "sppm"}) {
     const TinyDirectory directory;
     put_file(directory / "tiny.dsc",
-             tiny_scene("\"dsppm\" \"integer iterations\" 2",
+             tiny_scene("\"dsppm\" \"string indirect\" \"photons\" \"integer iterations\" 2",
                         std::string("\"") + integrator + "\" \"string estimator\" \"hj09\" \"integer iterations\" 6"));
     expect_success(directory, {"tiny.dsc", "--float"});
     const std::vector<Image> expected = images_in(directory);

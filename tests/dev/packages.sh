@@ -3,6 +3,7 @@
 # usage: packages.sh <source directory>
 set -euo pipefail
 cd "$1"
+unset DSPM_INSTALL  # ./dev test may have been called with it
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 for tool in awk bash cat cut dirname env grep head printf sed sort tr; do ln -s "$(command -v $tool)" "$work/$tool"; done

@@ -183,23 +183,21 @@ TEST(EmissionReport, OnePerKindOfPhotons) {
 }
 
 EmissionReport example(EmissionReport::Start start) {
-  return {"photons",
-          start,
-          14,
-          30000,
-          90,
-          12000,
-          900,
-          PhotonsBring::caustics,
-          5000,
-          4,
-          {{"sun", .5, .25, 7500, 3000}, {"2 others", .5, .75, 0, 0}}};
+  EmissionReport report{"photons", start, 14, 30000, 90, 12000, 900};
+  report.gain = 4;
+  report.lights = {{"sun", .5, .25, 7500, 3000}, {"2 others", .5, .75, 0, 0}};
+  return report;
+}
+EmissionReport of_caustics() {
+  EmissionReport report = example(EmissionReport::Start::guided);
+  report.bring = PhotonsBring::caustics, report.traced = 5000;
+  return report;
 }
 
 TEST(EmissionReport, IsTheSameAfterSavingAndLoading) {
   Statistics saved, loaded;
   saved.emission.put(example(EmissionReport::Start::guided));
-  EmissionReport other = example(EmissionReport::Start::guided);
+  EmissionReport other = of_caustics();
   other.photons = "caustic photons";
   saved.emission.put(other);
   loaded.emission.put(example(EmissionReport::Start::asked_by_power));
@@ -215,7 +213,7 @@ TEST(EmissionReport, IsTheSameAfterSavingAndLoading) {
 
 TEST(EmissionReport, RefusesDamagedRecords) {
   EmissionReports saved;
-  saved.put(example(EmissionReport::Start::guided));
+  saved.put(of_caustics());
   const std::string bytes = state_of(saved);
   int refused = 0;
   for (std::size_t byte = 0; byte < bytes.size(); ++byte) {
@@ -230,6 +228,26 @@ TEST(EmissionReport, RefusesDamagedRecords) {
     }
   }
   EXPECT_GE(refused, 5 * 8);  // five counts and a choice
+}
+
+TEST(EmissionReport, SaysWhatPhotonsBring) {
+  EmissionReport report = of_caustics();
+  EXPECT_EQ(
+      in_words(report).at(1),
+      "photons: 5000 paths an iteration bring caustics, and camera paths find all other light, with less noise in "
+      "the same time.");
+  EXPECT_NE(
+      summary_of(report).find("; 5000 an iteration bring caustics, and camera paths find all other light; by light:"),
+      std::string::npos);
+  report.bring = PhotonsBring::all;
+  EXPECT_EQ(in_words(report).at(1),
+            "photons: 5000 paths an iteration bring all light, with less noise in the same time.");
+  EXPECT_NE(summary_of(report).find("; 5000 are traced an iteration; by light:"), std::string::npos);
+  report.bring = PhotonsBring::nothing, report.traced = 0;
+  EXPECT_EQ(in_words(report),
+            (std::vector<std::string>{"photons: none are traced, as camera paths find all light, with "
+                                      "less noise in the same time."}));
+  EXPECT_EQ(summary_of(report), "photons: none are traced, as camera paths find all light");
 }
 
 TEST(EmissionReport, SaysItInWords) {

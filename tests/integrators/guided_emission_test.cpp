@@ -118,7 +118,8 @@ SharedCount found(const std::string& integrator) {
 
 TEST(GuidedEmission, FindsAThousandTimesMore) {
   for (const char* direct : {"both", "photons", "sampled"}) {
-    const std::string start = fmt::format(R"("dsppm" "integer photons" 50000 "string direct" "{}")", direct);
+    const std::string start =
+        fmt::format(R"("dsppm" "string indirect" "photons" "integer photons" 50000 "string direct" "{}")", direct);
     EXPECT_GT(found(start).done, 1000 * (found(start + R"( "string emission" "power")").done + 1)) << direct;
   }
 }

@@ -159,9 +159,9 @@ TEST(HiddenLight, IsGatheredWithinShrinkingDiscs) {
   const Direction sun{0, 1};
   const double r = fresnel(1, 1.5), expected = 2 * (1 - r) / (1 + r) * ggx_reflection(sun, kToCamera, 0.2) * lit;
   for (const char* estimator : {"kz11", "hj09"}) {
-    const std::string integrator =
-        fmt::format(R"("dsppm" "integer photons" 100000 "float radius" 0.6 "float alpha" {} "string estimator" "{}")",
-                    kAlpha, estimator);
+    const std::string integrator = fmt::format(
+        R"("dsppm" "string indirect" "photons" "integer photons" 100000 "float radius" 0.6 "float alpha" {} "string estimator" "{}")",
+        kAlpha, estimator);
     TestScene scene(pane_over_metal("", integrator,
                                     R"("distant" "rgb L" [2 2 2] "point3 from" [0 0 1] "point3 to" [0 0 0])",
                                     metal(R"("float roughness" 0.2)")) +

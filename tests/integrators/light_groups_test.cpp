@@ -188,8 +188,9 @@ class LightGroupsInBatches : public testing::TestWithParam<const char*> {};
 
 TEST_P(LightGroupsInBatches, AreTheSame) {
   TestScene test(
-      scene(fmt::format(R"("dsppm" "integer photons" 20000 "string emission" "power" "string estimator" "{}")",
-                        GetParam())),
+      scene(fmt::format(
+          R"("dsppm" "string indirect" "photons" "integer photons" 20000 "string emission" "power" "string estimator" "{}")",
+          GetParam())),
       asking_for({"lights"}));
   const auto scene = test.scene(test.all_frames());
   std::size_t least = 0;

@@ -71,7 +71,7 @@ TEST(NoisePerFrame, IsFrozenWhereTheCameraStands) {
 }
 
 TEST(NoisePerFrame, KeepsThePromisesAndSharesPhotons) {
-  const std::string photons = R"("dsppm" "integer photons" 2000)";
+  const std::string photons = R"("dsppm" "string indirect" "photons" "integer photons" 2000)";
   const std::string text = ground(photons, "perframe", kMoves, kBall);
   for (const Verdict& verdict :
        {check_threads(text, 2), check_resume(text, 2), check_joint(text, 2), check_crop(text, 2)})

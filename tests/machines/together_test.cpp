@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* kScene = R"(
 Frames 3
-Integrator "dsppm" "integer iterations" 22 "integer photons" 300 "integer seed" {}
+Integrator "dsppm" "string indirect" "photons" "integer iterations" 22 "integer photons" 300 "integer seed" {}
 Camera "perspective"
 Film "rgb" "integer xresolution" 9 "integer yresolution" 7
 WorldBegin

@@ -16,9 +16,9 @@ namespace {
 /// A run with an integrator that ends it in its second iteration.
 Outcome run_in_mood(const TinyDirectory& directory, const std::string& mood,
                     const std::vector<std::string>& more_arguments) {
-  put_file(directory / "tiny.dsc",
-           tiny_scene("Integrator \"dsppm\" \"integer iterations\" 2 \"integer photons\" 200 \"integer seed\" 5",
-                      "Integrator \"mischief\" \"string mood\" \"" + mood + "\""));
+  put_file(directory / "tiny.dsc", tiny_scene("Integrator \"dsppm\" \"string indirect\" \"photons\" \"integer "
+                                              "iterations\" 2 \"integer photons\" 200 \"integer seed\" 5",
+                                              "Integrator \"mischief\" \"string mood\" \"" + mood + "\""));
   std::vector<std::string> arguments{"--plugin", DSPM_TEST_MODULES "/libmischief.so", "tiny.dsc"};
   arguments.insert(arguments.end(), more_arguments.begin(), more_arguments.end());
   const auto without_core = [] {

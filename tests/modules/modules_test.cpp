@@ -22,8 +22,10 @@ class PluginPath {
 };
 
 std::string scene_with(const std::string& integrator) {
-  return tiny_scene("Integrator \"dsppm\" \"integer iterations\" 2 \"integer photons\" 200 \"integer seed\" 5",
-                    integrator);
+  return tiny_scene(
+      "Integrator \"dsppm\" \"string indirect\" \"photons\" \"integer iterations\" 2 \"integer photons\" 200 \"integer "
+      "seed\" 5",
+      integrator);
 }
 
 std::string plugin_directive(const std::string& file) { return std::string("Plugin \"").append(file).append("\""); }

@@ -17,7 +17,7 @@ import numpy as np
 TINY = """
 Frames 3 "float fps" 25
 Default grey 0.5
-Integrator "dsppm" "integer iterations" 2 "integer photons" 500 "integer seed" 5
+Integrator "dsppm" "string indirect" "photons" "integer iterations" 2 "integer photons" 500 "integer seed" 5
 LookAt 0 0 -4  0 0 0  0 1 0
 Camera "perspective" "float fov" 45
 Film "rgb" "integer xresolution" 24 "integer yresolution" 16 "string filename" "tiny.pfm"

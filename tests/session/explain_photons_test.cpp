@@ -64,7 +64,7 @@ TEST(ExplainPhotons, TellsWhatWasLearned) {
 }
 
 TEST(ExplainPhotons, TellsWhatStartsByPower) {
-  const std::string text = Explained(R"("dsppm" "string emission" "power")").all();
+  const std::string text = Explained(R"("dsppm" "string indirect" "photons" "string emission" "power")").all();
   EXPECT_EQ(text.find("photons: start by the lights' power, as \"string emission\" \"power\" says."), 0u) << text;
 }
 

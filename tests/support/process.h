@@ -145,7 +145,7 @@ inline bool says(const TemporaryDirectory& directory, const std::string& words) 
 /// Three frames of 12 x 8 pixels: a ball that moves under a spherical lamp.
 inline const std::string kTinyScene = R"(
 Frames 3 "float fps" 25
-Integrator "dsppm" "integer iterations" 2 "integer photons" 200 "integer seed" 5
+Integrator "dsppm" "string indirect" "photons" "integer iterations" 2 "integer photons" 200 "integer seed" 5
 LookAt 0 0 -4  0 0 0  0 1 0
 Camera "perspective" "float fov" 45
 Film "rgb" "integer xresolution" 12 "integer yresolution" 8 "string filename" "tiny.exr"

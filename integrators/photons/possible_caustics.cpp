@@ -1,4 +1,4 @@
-#include "dspm/integrators/guiding/possible_caustics.h"
+#include "dspm/integrators/photons/possible_caustics.h"
 
 #include <algorithm>
 

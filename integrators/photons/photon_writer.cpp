@@ -1,0 +1,51 @@
+#include "dspm/integrators/photons/photon_writer.h"
+
+#include "dspm/base/math/vec.h"
+#include "dspm/integrators/photons/direct_balance.h"
+#include "dspm/integrators/transport/direct_light.h"
+
+namespace dspm {
+
+bool PhotonWriter::is_wanted(const PhotonPath& path, const PhotonOrigin& from) const {
+  if (path.kind == kDirectPhotons && settings_.rays_tell && is_told_by_a_ray(scene_, from.light)) return false;
+  return (path.kind & settings_.kinds) != 0;
+}
+
+void PhotonWriter::store(std::vector<Photon>& photons, const PhotonPath& path, const PhotonOrigin& from,
+                         const Vertex& vertex, FrameSet frames) {
+  const SurfacePoint& point = vertex.point;
+  const Vec3& wi = vertex.wo;
+  Rgb flux = path.throughput;
+  if (const Vec3& ns = unbent_normal(point); !(ns == point.ng)) {
+    // If the normals disagree about the side, every scattering function is zero.
+    const float geometric = dot(wi, point.ng), shading = dot(wi, ns);
+    if (!(geometric * shading > 0)) return;
+    flux *= shading / geometric;
+  }
+  if (path.kind == kDirectPhotons && settings_.direct != nullptr)
+    flux *= settings_.direct->weight_of_photon(from.light, from.state, from.start, {point.p, point.ng});
+  photons.push_back(photon(path, from, vertex, flux, frames));
+  count(photons.back());
+  if (settings_.keep_seen && &photons == &trace_.photons) trace_.seen.push_back(path.seen);
+}
+
+void PhotonWriter::store_on_curve(const PhotonPath& path, const PhotonOrigin& from, const Vertex& vertex,
+                                  FrameSet frames) {
+  trace_.on_curves.push_back({photon(path, from, vertex, path.throughput, frames),
+                              StripPlace(vertex.shape, vertex.hit, vertex.wo), path.bounces});
+  count(trace_.on_curves.back());
+}
+
+Photon PhotonWriter::photon(const PhotonPath& path, const PhotonOrigin& from, const Vertex& vertex, Rgb flux,
+                            FrameSet frames) {
+  const StrandList strands = trace_.strands.folded(path.strands, frames, flux);
+  const ShapeFace face(vertex.hit.shape, vertex.point.ng, vertex.wo);
+  return {vertex.point.p, face, vertex.wo, flux, frames, strands, from.index};
+}
+
+void PhotonWriter::count(const Photon& stored) {
+  trace_.stored.add(stored.frames.count());
+  trace_.paths.weighted += stored.strands != 0;
+}
+
+}  // namespace dspm
