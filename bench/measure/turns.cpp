@@ -20,10 +20,10 @@ double factor_of_all(const StepSeconds& separate, const StepSeconds& factors) {
   return separate.back() / together;
 }
 
-Comparison compare(const std::vector<Rounds>& seconds, const Integrator& together, const Group& separate,
-                   std::size_t frames) {
+InTurns compare(const std::vector<Rounds>& seconds, const Integrator& together, const Group& separate,
+                std::size_t frames) {
   const Rounds of_all = for_all(seconds[1], frames);
-  Comparison c;
+  InTurns c;
   c.frames = static_cast<int>(frames);
   c.together = medians(seconds[0]), c.separate = medians(of_all);
   c.speedups = ratios(of_all, seconds[0]);
@@ -36,7 +36,7 @@ Comparison compare(const std::vector<Rounds>& seconds, const Integrator& togethe
 
 }  // namespace
 
-Comparison take_turns(const LoadedScene& loaded, const Job& job, const TurnSettings& settings) {
+InTurns take_turns(const LoadedScene& loaded, const Job& job, const TurnSettings& settings) {
   std::vector<Group> groups(2);
   groups[0].push_back(start(loaded, job, "dsppm", job.frames));
   groups[1] = start_each(loaded, job, "sppm", spread_frames(job.frames, settings.separate));
@@ -44,7 +44,7 @@ Comparison take_turns(const LoadedScene& loaded, const Job& job, const TurnSetti
   return compare(seconds, *groups[0][0].integrator, groups[1], job.frames.size());
 }
 
-std::string table_of(const Comparison& c, const wg12::Speedups* paper) {
+std::string table_of(const InTurns& c, const wg12::Speedups* paper) {
   std::vector<std::string> head = {"step",    "dsppm, s",       fmt::format("{} x sppm, s", c.frames),
                                    "speedup", "sharing factor", "reached"};
   if (paper != nullptr) head.push_back("WG12");
@@ -62,7 +62,7 @@ std::string table_of(const Comparison& c, const wg12::Speedups* paper) {
   return table.text();
 }
 
-std::string dynamic_shares(const Comparison& c) {
+std::string dynamic_shares(const InTurns& c) {
   return fmt::format("{} of the photon paths and {} of the camera paths met something that differs between frames.",
                      percent_cell(c.dynamic_photons), percent_cell(c.dynamic_hit_points));
 }

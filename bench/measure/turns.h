@@ -7,7 +7,8 @@
 
 namespace dspm {
 
-struct Comparison {
+/// What both took.
+struct InTurns {
   int frames = 0;
   StepSeconds together{}, separate{};  // medians over iterations; separate: of all frames
   StepSeconds speedups{};              // medians of the iterations' ratios
@@ -23,11 +24,11 @@ struct TurnSettings {
 };
 
 /// All of the job's frames, together and separately.
-Comparison take_turns(const LoadedScene& loaded, const Job& job, const TurnSettings& settings);
+InTurns take_turns(const LoadedScene& loaded, const Job& job, const TurnSettings& settings);
 
 /// One row per step; `paper` are WG12's speedups, if there are any.
-std::string table_of(const Comparison& comparison, const wg12::Speedups* paper);
+std::string table_of(const InTurns& comparison, const wg12::Speedups* paper);
 /// "1.2% of the photon paths and 11.3% of the camera paths met something that differs between frames."
-std::string dynamic_shares(const Comparison& comparison);
+std::string dynamic_shares(const InTurns& comparison);
 
 }  // namespace dspm

@@ -33,21 +33,21 @@ std::vector<std::filesystem::path> scene_files(bool quick) {
 }
 
 /// Rows of rising shares of dynamic photons, in each of them rising shares of dynamic hit points.
-void arrange(std::vector<Comparison>& found, std::ptrdiff_t side) {
-  const auto by = [](double Comparison::*share) {
-    return [share](const Comparison& a, const Comparison& b) { return a.*share < b.*share; };
+void arrange(std::vector<InTurns>& found, std::ptrdiff_t side) {
+  const auto by = [](double InTurns::*share) {
+    return [share](const InTurns& a, const InTurns& b) { return a.*share < b.*share; };
   };
-  std::sort(found.begin(), found.end(), by(&Comparison::dynamic_photons));
+  std::sort(found.begin(), found.end(), by(&InTurns::dynamic_photons));
   for (auto row = found.begin(); row != found.end(); row += side)
-    std::sort(row, row + side, by(&Comparison::dynamic_hit_points));
+    std::sort(row, row + side, by(&InTurns::dynamic_hit_points));
 }
 
-std::string cell(const Comparison& c) {
+std::string cell(const InTurns& c) {
   return fmt::format("**{:.2f}** ({} photons, {} hit points)", c.speedups.back(), percent_cell(c.dynamic_photons),
                      percent_cell(c.dynamic_hit_points));
 }
 
-std::string table_of(const std::vector<Comparison>& found, const std::vector<std::string>& sides) {
+std::string table_of(const std::vector<InTurns>& found, const std::vector<std::string>& sides) {
   std::vector<std::string> head = {"dynamic photons"};
   for (const std::string& amount : sides) head.push_back(amount + " dynamic hit points");
   Table table(head);
@@ -59,7 +59,7 @@ std::string table_of(const std::vector<Comparison>& found, const std::vector<std
   return table.text();
 }
 
-PlotFile plot_of(const std::vector<Comparison>& found, const std::vector<std::string>& sides) {
+PlotFile plot_of(const std::vector<InTurns>& found, const std::vector<std::string>& sides) {
   BarPlot plot{"Speedup by the shares of dynamic photons and hit points", "speedup", {}, {}};
   for (std::size_t i = 0; i < sides.size(); ++i) {
     plot.groups.push_back(sides[i] + " dynamic photons");
@@ -73,7 +73,7 @@ PlotFile plot_of(const std::vector<Comparison>& found, const std::vector<std::st
 }  // namespace
 
 Findings measure_figure9(const Setup& setup) {
-  std::vector<Comparison> found;
+  std::vector<InTurns> found;
   for (const std::filesystem::path& file : scene_files(setup.quick)) {
     say("figure9/{}", file.filename().string());
     const LoadedScene loaded = load(file);

@@ -13,7 +13,7 @@ constexpr const char* kEstimators[] = {"kz11", "hj09"};
 
 struct Measured {
   std::string estimator;
-  std::vector<Comparison> by_frames;  // ascending
+  std::vector<InTurns> by_frames;  // ascending
 };
 
 const wg12::HorseRow* paper_row(int frames) {
@@ -44,7 +44,7 @@ std::string totals(const std::vector<Measured>& all) {
   head.insert(head.end(), {"WG12", "dynamic photons", "dynamic hit points"});
   Table table(head);
   for (std::size_t k = 0; k < all.front().by_frames.size(); ++k) {
-    const Comparison& c = all.front().by_frames[k];
+    const InTurns& c = all.front().by_frames[k];
     std::vector<std::string> cells = {std::to_string(c.frames)};
     for (const Measured& m : all) cells.push_back(ratio_cell(m.by_frames[k].speedups.back()));
     const wg12::HorseRow* paper = paper_row(c.frames);
@@ -58,7 +58,7 @@ std::string totals(const std::vector<Measured>& all) {
 std::string details(const std::vector<Measured>& all) {
   std::string text;
   for (const Measured& m : all) {
-    for (const Comparison& c : m.by_frames) {
+    for (const InTurns& c : m.by_frames) {
       const wg12::HorseRow* paper = paper_row(c.frames);
       text += fmt::format("\nK = {}, {}:\n\n{}", c.frames, m.estimator,
                           table_of(c, paper != nullptr ? &paper->speedups : nullptr));
@@ -71,7 +71,7 @@ PlotFile plot_over_frames(const std::vector<Measured>& all) {
   LinePlot plot{.title = "Speedup of rendering K frames together", .x_label = "frames", .y_label = "speedup"};
   for (const Measured& m : all) {
     LineSeries series{m.estimator, {}};
-    for (const Comparison& c : m.by_frames) {
+    for (const InTurns& c : m.by_frames) {
       series.points.push_back({static_cast<double>(c.frames), c.speedups.back()});
       if (&m == &all.front()) plot.x_ticks.push_back(c.frames);
     }

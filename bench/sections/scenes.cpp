@@ -11,7 +11,7 @@ namespace {
 struct Measured {
   const wg12::SceneRow* paper;
   std::string estimator;
-  Comparison comparison;
+  InTurns comparison;
 };
 
 std::vector<Measured> measure_one(const wg12::SceneRow& paper, bool quick) {
@@ -31,7 +31,7 @@ std::string totals(const std::vector<Measured>& all) {
   Table table({"scene", "K", "estimator", "speedup", "sharing factor", "reached", "WG12", "dynamic photons", "WG12",
                "dynamic hit points", "WG12"});
   for (const Measured& m : all) {
-    const Comparison& c = m.comparison;
+    const InTurns& c = m.comparison;
     table.row({m.paper->name, std::to_string(c.frames), m.estimator, ratio_cell(c.speedups.back()),
                ratio_cell(c.factors.back()), percent_cell(c.speedups.back() / c.factors.back()),
                ratio_cell(m.paper->speedups.back()), percent_cell(c.dynamic_photons),

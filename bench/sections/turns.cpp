@@ -11,7 +11,7 @@ Findings measure_turns(const Setup& setup) {
   std::string text;
   for (const char* estimator : {"kz11", "hj09"}) {
     const Job job = with_text(loaded.job, "estimator", estimator);
-    const Comparison c = take_turns(loaded, job, settings);
+    const InTurns c = take_turns(loaded, job, settings);
     text += fmt::format("{}:\n\n{}\n{}\n\n", estimator, table_of(c, nullptr), dynamic_shares(c));
   }
   return {text, {}};

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace dspm {
-namespace {
+namespace axis_test {
 
 using Values = std::vector<double>;
 
@@ -63,5 +63,5 @@ TEST(TickLabel, IsShort) {
   EXPECT_EQ(tick_label(-250000), "-250,000");
 }
 
-}  // namespace
+}  // namespace axis_test
 }  // namespace dspm

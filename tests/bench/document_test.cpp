@@ -6,7 +6,7 @@
 #include "dspm/base/system/read_file.h"
 
 namespace dspm {
-namespace {
+namespace document_test {
 
 const std::string kDocument =
     "# Results\n\nProse.\n<!-- figures: first -->\nold\n<!-- end -->\nMore.\n<!-- figures: second -->\n<!-- end -->\n";
@@ -44,5 +44,5 @@ TEST(Document, RefusesWhatItCannotTell) {
   EXPECT_THROW(block_names("<!-- figures: a --><!-- end --><!-- figures: a --><!-- end -->"), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace document_test
 }  // namespace dspm

@@ -8,7 +8,7 @@
 #include "tests/bench/grey_image.h"
 
 namespace dspm {
-namespace {
+namespace measure_test {
 
 Images image_of(std::initializer_list<float> greys) { return {grey_image(greys)}; }
 
@@ -84,5 +84,5 @@ TEST(Curve, FollowsAPowerLawBetweenItsPoints) {
   EXPECT_EQ(error_after(curve, 0.01), 1);
 }
 
-}  // namespace
+}  // namespace measure_test
 }  // namespace dspm

@@ -7,7 +7,7 @@
 #include "tests/bench/grey_image.h"
 
 namespace dspm {
-namespace {
+namespace noise_test {
 
 TEST(RelativeSquare, IsRelativeAndAtMostOne) {
   const Image truth = grey_image({1, 1, 1, 1});  // the floor is 0.01
@@ -41,5 +41,5 @@ TEST(RelativeSquare, OfTwoRunsIsTwiceTheVariance) {
   EXPECT_NEAR(relative_square(a, b, truth), 2 * 0.01 / (1.01 * 1.01), 4e-4);
 }
 
-}  // namespace
+}  // namespace noise_test
 }  // namespace dspm

@@ -7,7 +7,7 @@
 #include "bench/plots/svg.h"
 
 namespace dspm {
-namespace {
+namespace plots_test {
 
 std::size_t count(const std::string& text, const std::string& word) {
   std::size_t n = 0;
@@ -71,5 +71,5 @@ TEST(BarPlot, DrawsABarForEveryValueAboveZero) {
 
 TEST(Svg, EscapesWords) { EXPECT_EQ(escaped("a < b & \"c\""), "a &lt; b &amp; &quot;c&quot;"); }
 
-}  // namespace
+}  // namespace plots_test
 }  // namespace dspm

@@ -8,7 +8,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm {
-namespace {
+namespace rays_test {
 
 // A whole sphere, a part of one, two meshes of which a transform places one.
 const char* const kScene = R"(
@@ -68,5 +68,5 @@ TEST(BareEmbree, MeetsWhatTheTreesMeet) {
   EXPECT_LE(apart, 2);  // rays along edges
 }
 
-}  // namespace
+}  // namespace rays_test
 }  // namespace dspm

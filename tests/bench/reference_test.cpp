@@ -6,7 +6,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm {
-namespace {
+namespace reference_test {
 
 /// 16 x 8 pixels, so two blocks: one grey on the left, another on the right.
 Image halves(float left, float right) {
@@ -105,5 +105,5 @@ Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point3 P" [0 1 -3  5 1 -3 
   EXPECT_LT(reference.uncertain_seen, 0.05);
 }
 
-}  // namespace
+}  // namespace reference_test
 }  // namespace dspm

@@ -4,7 +4,7 @@
 #include "bench/measure/run.h"
 
 namespace dspm {
-namespace {
+namespace room_test {
 
 struct Counts {
   std::size_t first_lamp, second_lamp, cameras;
@@ -29,5 +29,5 @@ TEST(Room, DimsItsLampsOneByOne) {
 
 TEST(Room, HasAWayForTheCamera) { EXPECT_EQ(distinct_states({"lamp=1", "window=1", "way=.4"}), (Counts{1, 1, 24})); }
 
-}  // namespace
+}  // namespace room_test
 }  // namespace dspm

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace dspm {
-namespace {
+namespace rounds_test {
 
 /// Its iterations take `hit_points` and 2 s, the first one ten times as long.
 class Scripted : public Integrator {
@@ -59,5 +59,5 @@ TEST(Ratios, AreMediansOfTheRoundsRatios) {
   EXPECT_EQ(medians(over)[0], 8);
 }
 
-}  // namespace
+}  // namespace rounds_test
 }  // namespace dspm

@@ -9,7 +9,7 @@
 #include "dspm/base/system/read_file.h"
 
 namespace dspm {
-namespace {
+namespace scenes_page_test {
 
 using Cells = std::vector<std::string>;
 
@@ -67,5 +67,5 @@ TEST(ScenesPage, QuotesTheSharesOfTheDemo) {
   EXPECT_NEAR(std::stod(cells.at(1)), 100 * s.camera.dynamic_share(), 0.6);
 }
 
-}  // namespace
+}  // namespace scenes_page_test
 }  // namespace dspm

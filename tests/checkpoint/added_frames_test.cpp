@@ -3,7 +3,7 @@
 #include "tests/checkpoint/chair.h"
 
 namespace dspm::test {
-namespace {
+namespace added_frames_test {
 
 using AddedFrames = ChairTest;
 
@@ -136,5 +136,5 @@ TEST_F(AddedFrames, ThatAreNotCoveredDisturbNoOthers) {
   EXPECT_FALSE(std::filesystem::exists(file("oak-wide")));
 }
 
-}  // namespace
+}  // namespace added_frames_test
 }  // namespace dspm::test

@@ -4,7 +4,7 @@
 #include "tests/checkpoint/chair.h"
 
 namespace dspm::test {
-namespace {
+namespace changed_variations_test {
 
 class ChangedVariations : public ChairTest {
  protected:
@@ -141,5 +141,5 @@ TEST_F(ChangedVariations, AreRefusedIfNobodyCouldGoOn) {
   expect_refused(other, "no variation that the checkpoint was begun with is there any more\n");
 }
 
-}  // namespace
+}  // namespace changed_variations_test
 }  // namespace dspm::test

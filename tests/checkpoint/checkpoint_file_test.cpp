@@ -10,7 +10,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm::test {
-namespace {
+namespace checkpoint_file_test {
 
 /// Its state is a list of numbers.
 class Numbers final : public IdleIntegrator {
@@ -142,5 +142,5 @@ TEST(CheckpointFile, IsRefusedWithAnyByteChangedOrCutOffAnywhere) {
   }
 }
 
-}  // namespace
+}  // namespace checkpoint_file_test
 }  // namespace dspm::test

@@ -11,7 +11,7 @@
 #include "tests/support/process.h"
 
 namespace dspm::test {
-namespace {
+namespace checkpoint_test {
 
 Outcome expect_success(const TinyDirectory& directory, const Arguments& arguments) {
   Outcome outcome = run(directory, arguments);
@@ -359,5 +359,5 @@ TEST(Signals, AnIterationThatTakesTooLongIsGivenUp) {
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(60));
 }
 
-}  // namespace
+}  // namespace checkpoint_test
 }  // namespace dspm::test

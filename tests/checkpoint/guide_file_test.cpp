@@ -11,7 +11,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm::test {
-namespace {
+namespace guide_file_test {
 
 constexpr const char* kIntegrator = R"("dsppm" "string direct" "photons" "integer photons" 20000)";
 constexpr const char* kLamp = "LightSource \"point\" \"rgb I\" [5 5 5] \"point3 from\" [0 0 1]";
@@ -152,5 +152,5 @@ TEST_F(GuideFile, HoldsAllThatWasLearned) {
   for (std::size_t i = 0; i < a.pixels.size(); ++i) EXPECT_EQ(a.pixels[i], b.pixels[i]) << i;
 }
 
-}  // namespace
+}  // namespace guide_file_test
 }  // namespace dspm::test

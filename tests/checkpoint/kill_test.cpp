@@ -11,7 +11,7 @@
 #include "tests/support/process.h"
 
 namespace dspm::test {
-namespace {
+namespace kill_test {
 
 constexpr int kKills = 25;  // in each rhythm
 
@@ -110,5 +110,5 @@ INSTANTIATE_TEST_SUITE_P(Integrators, Kill,
                          testing::Values(Rhythm{"dsppm", 10, 1}, Rhythm{"dsppm", 12, 3}, Rhythm{"sppm", 4, 1},
                                          Rhythm{"sppm", 6, 3}));
 
-}  // namespace
+}  // namespace kill_test
 }  // namespace dspm::test

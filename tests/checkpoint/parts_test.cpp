@@ -11,7 +11,7 @@
 #include "tests/support/process.h"
 
 namespace dspm::test {
-namespace {
+namespace parts_test {
 
 constexpr float kRounding = 1e-6f;
 
@@ -260,5 +260,5 @@ TEST_F(Parts, GoOnAfterTheyWereKilled) {
   EXPECT_EQ(images(), images("whole"));
 }
 
-}  // namespace
+}  // namespace parts_test
 }  // namespace dspm::test

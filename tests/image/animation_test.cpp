@@ -11,7 +11,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm::test {
-namespace {
+namespace animation_test {
 
 const Rgb kColours[] = {{1, 0, 0}, {0, 1, 0}, {0.2f, 0.2f, 0.9f}};
 
@@ -112,5 +112,5 @@ TEST(Animation, TheExtensionChooses) {
   EXPECT_FALSE(is_animation_name("a.png"));
 }
 
-}  // namespace
+}  // namespace animation_test
 }  // namespace dspm::test

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace dspm {
-namespace {
+namespace encoding_test {
 
 using Kind = ColorEncoding::Kind;
 
@@ -50,5 +50,5 @@ TEST(Encoding, ReadsPbrtsWords) {
   }
 }
 
-}  // namespace
+}  // namespace encoding_test
 }  // namespace dspm

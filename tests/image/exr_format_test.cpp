@@ -9,7 +9,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm {
-namespace {
+namespace exr_format_test {
 
 using test::TemporaryDirectory;
 
@@ -84,5 +84,5 @@ TEST(ExrFormat, MatricesComeBack) {
   EXPECT_EQ(read_exr_header(directory / "a.exr").matrices, header.matrices);
 }
 
-}  // namespace
+}  // namespace exr_format_test
 }  // namespace dspm

@@ -15,7 +15,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm {
-namespace {
+namespace exr_test {
 
 using test::ExrByHand;
 using test::TemporaryDirectory;
@@ -239,5 +239,5 @@ TEST(Exr, ColoursOfOtherChromaticitiesAreConverted) {
   EXPECT_THROW(decode_exr(with_chromaticities({0, 0, 0, 0, 0, 0, 0, 0}).bytes()), std::exception);
 }
 
-}  // namespace
+}  // namespace exr_test
 }  // namespace dspm

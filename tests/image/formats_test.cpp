@@ -8,7 +8,7 @@
 #include "tests/image/image_bytes.h"
 
 namespace dspm {
-namespace {
+namespace formats_test {
 
 using test::bytes;
 using test::expect_errors_when_truncated;
@@ -228,5 +228,5 @@ TEST(Qoi, TheHeaderTellsTheEncodingUnlessItIsGiven) {
   EXPECT_TRUE(decode_image(qoi(1, 0, chunk), {}).alpha.empty());
 }
 
-}  // namespace
+}  // namespace formats_test
 }  // namespace dspm

@@ -6,7 +6,7 @@
 #include "dspm/image/decoders.h"
 
 namespace dspm {
-namespace {
+namespace hdr_test {
 
 const std::string kHeader = "#?RADIANCE\n# made by hand\nFORMAT=32-bit_rle_rgbe\n\n";
 
@@ -75,5 +75,5 @@ TEST(Hdr, ErrorsSayTheCause) {
   EXPECT_NE(message_for(kHeader + "-Y 1 +X 2\n" + bytes({128, 0, 0, 129, 1, 1, 1, 1})).find("old"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace hdr_test
 }  // namespace dspm

@@ -14,7 +14,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm {
-namespace {
+namespace hostile_test {
 
 using test::TemporaryDirectory;
 
@@ -93,5 +93,5 @@ TEST(Hostile, NotImagesAtAll) {
   EXPECT_THROW(read_image("/dev/zero"), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace hostile_test
 }  // namespace dspm

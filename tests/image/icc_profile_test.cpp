@@ -7,7 +7,7 @@
 #include "tests/image/image_bytes.h"
 
 namespace dspm::test {
-namespace {
+namespace icc_profile_test {
 
 /// Where a tag's content begins.
 std::size_t place_of(const std::string& profile, const std::string& tag) {
@@ -44,5 +44,5 @@ TEST(IccProfile, DisplayP3HasItsPrimaries) {
   }
 }
 
-}  // namespace
+}  // namespace icc_profile_test
 }  // namespace dspm::test

@@ -16,7 +16,7 @@
 #include "dspm/image/encoding.h"
 
 namespace dspm {
-namespace {
+namespace jpeg_test {
 
 struct JpegKind {
   int width, height, channels;
@@ -116,5 +116,5 @@ TEST(Jpeg, AlteredFilesYieldAnImageOrAnError) {
   }
 }
 
-}  // namespace
+}  // namespace jpeg_test
 }  // namespace dspm

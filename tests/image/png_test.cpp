@@ -15,7 +15,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm {
-namespace {
+namespace png_test {
 
 using test::TemporaryDirectory;
 const ColorEncoding kLinear{ColorEncoding::Kind::linear, 1};
@@ -218,5 +218,5 @@ TEST(Png, AlphaIsKeptUnlessAllIsOpaque) {
   EXPECT_TRUE(read_image(directory / "b.png").alpha.empty());
 }
 
-}  // namespace
+}  // namespace png_test
 }  // namespace dspm

@@ -5,7 +5,7 @@
 #include "dspm/testing/compare.h"
 
 namespace dspm {
-namespace {
+namespace shrink_test {
 
 Image gradient(int width, int height) {
   Image image(width, height);
@@ -42,5 +42,5 @@ TEST(Shrink, KeepsTheMean) {
 
 TEST(Shrink, TheSameSizeIsTheSameImage) { EXPECT_EQ(shrunk(gradient(9, 5), 9, 5), gradient(9, 5)); }
 
-}  // namespace
+}  // namespace shrink_test
 }  // namespace dspm

@@ -10,7 +10,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm {
-namespace {
+namespace tiff_test {
 
 struct TiffKind {
   int channels = 3, compression = COMPRESSION_NONE, extra = -1, tile = 0;
@@ -121,5 +121,5 @@ TEST(TiffFile, TruncatedFilesAreErrors) {
   for (std::size_t length = 0; length < file.size(); ++length) test::message_for(file.substr(0, length));
 }
 
-}  // namespace
+}  // namespace tiff_test
 }  // namespace dspm

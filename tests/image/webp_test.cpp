@@ -13,7 +13,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm {
-namespace {
+namespace webp_test {
 
 std::string file_of(std::uint8_t* data, std::size_t size) {
   std::string file(reinterpret_cast<const char*>(data), size);
@@ -63,5 +63,5 @@ TEST(Webp, WithLoss) {
   for (std::size_t length = 0; length < file.size(); ++length) test::message_for(file.substr(0, length));
 }
 
-}  // namespace
+}  // namespace webp_test
 }  // namespace dspm

@@ -8,7 +8,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm {
-namespace {
+namespace absorption_test {
 
 using test::TestScene;
 
@@ -142,5 +142,5 @@ TEST(Absorption, DiffersBetweenFrames) {
   EXPECT_GT(photons.segments.factor(), 2.5);
 }
 
-}  // namespace
+}  // namespace absorption_test
 }  // namespace dspm

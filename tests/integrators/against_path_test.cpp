@@ -10,7 +10,7 @@
 #include "tests/support/seeds.h"
 
 namespace dspm::test {
-namespace {
+namespace against_path_test {
 
 struct Case {
   const char* name;
@@ -130,5 +130,5 @@ TEST_P(AgainstPath, AllIntegratorsAgree) {
 INSTANTIATE_TEST_SUITE_P(Scenes, AgainstPath, testing::ValuesIn(kCases),
                          [](const auto& scene) { return std::string(scene.param.name); });
 
-}  // namespace
+}  // namespace against_path_test
 }  // namespace dspm::test

@@ -10,7 +10,7 @@
 #include "tests/support/seeds.h"
 
 namespace dspm::test {
-namespace {
+namespace alpha_test {
 
 constexpr const char* kIntegrators[] = {
     R"("path" "integer maxdepth" 4)",
@@ -208,5 +208,5 @@ TEST(Alpha, FramesAreWhatTheyAreAlone) {
   }
 }
 
-}  // namespace
+}  // namespace alpha_test
 }  // namespace dspm::test

@@ -5,7 +5,7 @@
 #include "dspm/testing/scenes.h"
 
 namespace dspm::test {
-namespace {
+namespace ambient_occlusion_test {
 
 void expect_seen(const std::string& scene, int iterations, float share) {
   const Verdict verdict = agreement(rendered(scene, iterations), Rgb(share));
@@ -28,5 +28,5 @@ TEST(AmbientOcclusion, WhatIsFartherAwayDoesNotMatter) {
   expect_seen(furnace(R"("ambientocclusion" "float maxdistance" 1)", 0), 16, 15 / 16.f);
 }
 
-}  // namespace
+}  // namespace ambient_occlusion_test
 }  // namespace dspm::test

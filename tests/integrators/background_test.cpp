@@ -5,7 +5,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace background_test {
 
 constexpr const char* kIntegrators[] = {R"("path")", R"("dsppm" "integer photons" 100)",
                                         R"("sppm" "integer photons" 100)", R"("photonmap" "integer photons" 100)",
@@ -36,5 +36,5 @@ Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point3 P" [-9 -9 5  0 -9 5
   }
 }
 
-}  // namespace
+}  // namespace background_test
 }  // namespace dspm::test

@@ -10,7 +10,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm::test {
-namespace {
+namespace bent_normals_test {
 
 constexpr int kMaterials = 8, kSettings = 4;
 
@@ -160,5 +160,5 @@ TEST(LeaningNormals, MayDifferBetweenFrames) {
   }
 }
 
-}  // namespace
+}  // namespace bent_normals_test
 }  // namespace dspm::test

@@ -14,7 +14,7 @@
 #include "tests/integrators/random_scene.h"
 
 namespace dspm {
-namespace {
+namespace bounded_memory_test {
 
 using test::RandomScene;
 using test::TestScene;
@@ -195,5 +195,5 @@ INSTANTIATE_TEST_SUITE_P(
         R"("photonmap" "string emission" "power" "integer photons" 20000 "integer finalgather" 2)", R"("path")",
         R"("vcm" "string emission" "power" "integer photons" 20000)"));
 
-}  // namespace
+}  // namespace bounded_memory_test
 }  // namespace dspm

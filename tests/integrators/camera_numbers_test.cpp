@@ -15,7 +15,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace camera_numbers_test {
 
 RenderSettings wide() {
   RenderSettings render;
@@ -142,5 +142,5 @@ TEST(EvenNumbers, MakeLessNoiseThanIndependentOnes) {
   }
 }
 
-}  // namespace
+}  // namespace camera_numbers_test
 }  // namespace dspm::test

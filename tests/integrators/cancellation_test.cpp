@@ -13,7 +13,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace cancellation_test {
 
 constexpr const char* kScene = R"(
 Frames 2
@@ -131,5 +131,5 @@ INSTANTIATE_TEST_SUITE_P(
                       R"("photonmap" "integer photons" 30000 "integer causticphotons" 3000 "integer finalgather" 2)",
                       R"("vcm" "integer photons" 30000)"));
 
-}  // namespace
+}  // namespace cancellation_test
 }  // namespace dspm::test

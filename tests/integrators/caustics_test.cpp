@@ -6,7 +6,7 @@
 #include "tests/integrators/floor.h"
 
 namespace dspm::test {
-namespace {
+namespace caustics_test {
 
 constexpr double kIndex = 1.5;
 
@@ -181,5 +181,5 @@ TEST(Caustics, BallOfGlass) {
   expect_picture(floor, expected, By::photons);
 }
 
-}  // namespace
+}  // namespace caustics_test
 }  // namespace dspm::test

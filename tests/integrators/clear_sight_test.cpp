@@ -12,7 +12,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm {
-namespace {
+namespace clear_sight_test {
 
 using test::TestScene;
 
@@ -128,5 +128,5 @@ Keyframe 1 Translate 0 0 0 Keyframe 2 Translate 100 0 0 KeyframeEnd
   expect_near(seen(pane_that_goes + kWall, 1).at("denoisingalbedo"), {.2f, .4f, .6f});
 }
 
-}  // namespace
+}  // namespace clear_sight_test
 }  // namespace dspm

@@ -14,7 +14,7 @@
 #include "tests/support/seeds.h"
 
 namespace dspm::test {
-namespace {
+namespace coats_test {
 
 constexpr double kAlphas[] = {0.03, 0.06, 0.09, 0.13, 0.2, 0.35, 0.6, 1};
 constexpr int kPatches = 4;  // along each side of the picture
@@ -166,5 +166,5 @@ Shape "disk" "float radius" 3
     }
 }
 
-}  // namespace
+}  // namespace coats_test
 }  // namespace dspm::test

@@ -11,7 +11,7 @@
 #include "dspm/integrators/statistics.h"
 
 namespace dspm {
-namespace {
+namespace counters_test {
 
 using Listed = std::vector<std::pair<std::string, std::uint64_t>>;
 
@@ -75,5 +75,5 @@ TEST(Counters, DoNotLoadWhatTheyCannotHold) {
   EXPECT_THROW(load(), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace counters_test
 }  // namespace dspm

@@ -12,7 +12,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm {
-namespace {
+namespace cryptomatte_test {
 
 using test::TestScene;
 
@@ -182,5 +182,5 @@ TEST(Transparent, OverItsBackgroundIsTheUsualImage) {
   }
 }
 
-}  // namespace
+}  // namespace cryptomatte_test
 }  // namespace dspm

@@ -9,7 +9,7 @@
 #include "tests/shapes/random.h"
 
 namespace dspm::test {
-namespace {
+namespace curves_test {
 
 /// Strands from the floor of a box up, bent at random.
 std::string tuft(int strands, const char* type, float width) {
@@ -88,5 +88,5 @@ DynamicEnd)",
   EXPECT_TRUE(verdict.passed) << verdict.message;
 }
 
-}  // namespace
+}  // namespace curves_test
 }  // namespace dspm::test

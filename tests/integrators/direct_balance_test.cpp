@@ -10,7 +10,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace direct_balance_test {
 
 constexpr const char* kLamps = R"(
 LightSource "point" "rgb I" [3 2 1] "point3 from" [0 0 2]
@@ -136,5 +136,5 @@ Translate 0 0 -1.01
   EXPECT_NEAR(learned(room(lamps.c_str()), 1000).photons_a_ray, 0.75, 0.1);
 }
 
-}  // namespace
+}  // namespace direct_balance_test
 }  // namespace dspm::test

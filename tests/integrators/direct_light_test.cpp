@@ -10,7 +10,7 @@
 #include "tests/integrators/floor.h"
 
 namespace dspm::test {
-namespace {
+namespace direct_light_test {
 
 enum class Lamps { points, balls };
 
@@ -239,5 +239,5 @@ Shape "disk" "float radius" 1
   EXPECT_LT(noise(TestScene(glossy).render(FileFrame(0), 64), exact), 0.15);
 }
 
-}  // namespace
+}  // namespace direct_light_test
 }  // namespace dspm::test

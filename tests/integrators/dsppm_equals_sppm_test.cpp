@@ -10,7 +10,7 @@
 #include "tests/support/seeds.h"
 
 namespace dspm {
-namespace {
+namespace dsppm_equals_sppm_test {
 
 using test::RandomScene;
 using test::seeds;
@@ -152,5 +152,5 @@ TEST(Path, FramesEqualTheirOwnRuns) {
 
 INSTANTIATE_TEST_SUITE_P(Frames, DsppmEqualsSppm, ::testing::Values(1, 2, 5, 8, 33));
 
-}  // namespace
+}  // namespace dsppm_equals_sppm_test
 }  // namespace dspm

@@ -12,7 +12,7 @@
 #include "dspm/integrators/guiding/quarter_sums.h"
 
 namespace dspm {
-namespace {
+namespace emission_guide_test {
 
 constexpr float kUsual[] = {0.7f, 0.2f, 0, 0.1f};
 constexpr float kSmall = 1.f / 32;
@@ -225,5 +225,5 @@ TEST(EmissionGuide, RefusesDamagedRecords) {
   EXPECT_THROW(loaded.persist(of_others, 3), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace emission_guide_test
 }  // namespace dspm

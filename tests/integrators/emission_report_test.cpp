@@ -13,7 +13,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm {
-namespace {
+namespace emission_report_test {
 
 using test::TestScene;
 
@@ -183,7 +183,9 @@ TEST(EmissionReport, OnePerKindOfPhotons) {
 }
 
 EmissionReport example(EmissionReport::Start start) {
-  EmissionReport report{"photons", start, 14, 30000, 90, 12000, 900};
+  EmissionReport report;
+  report.photons = "photons", report.start = start;
+  report.rounds = 14, report.paths = 30000, report.found_without = 90, report.found = 12000, report.cells = 900;
   report.gain = 4;
   report.lights = {{"sun", .5, .25, 7500, 3000}, {"2 others", .5, .75, 0, 0}};
   return report;
@@ -278,5 +280,5 @@ TEST(EmissionReport, SaysItInWords) {
             "found by hit points.");
 }
 
-}  // namespace
+}  // namespace emission_report_test
 }  // namespace dspm

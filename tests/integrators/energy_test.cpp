@@ -11,7 +11,7 @@
 #include "tests/integrators/random_scene.h"
 
 namespace dspm {
-namespace {
+namespace energy_test {
 
 using test::TestScene;
 
@@ -127,5 +127,5 @@ Shape "sphere" "float radius" 1)",
   EXPECT_NEAR(e.absorbed / e.emitted, 0, 1e-3);
 }
 
-}  // namespace
+}  // namespace energy_test
 }  // namespace dspm

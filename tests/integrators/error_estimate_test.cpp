@@ -17,7 +17,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace error_estimate_test {
 
 constexpr int kIterations = 32;
 
@@ -162,5 +162,5 @@ INSTANTIATE_TEST_SUITE_P(Integrators, ErrorEstimate,
                                          R"("dsppm" "integer photons" 3000 "string estimator" "hj09")",
                                          R"("dsppm" "integer photons" 3000 "string direct" "sampled")"));
 
-}  // namespace
+}  // namespace error_estimate_test
 }  // namespace dspm::test

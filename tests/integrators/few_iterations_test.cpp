@@ -9,7 +9,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm::test {
-namespace {
+namespace few_iterations_test {
 
 /// Pictures of two pixels that repeat a hundred times: heights and shares from 0 to 1, colours, and normals that lean by 35
 /// degrees to one side and the other.
@@ -152,5 +152,5 @@ TEST(Footprints, MakeMatteFloorsSmooth) {
   EXPECT_LT(variance(""), 0.5 * variance("Option \"disabletexturefiltering\" true\n"));
 }
 
-}  // namespace
+}  // namespace few_iterations_test
 }  // namespace dspm::test

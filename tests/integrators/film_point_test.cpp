@@ -9,7 +9,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace film_point_test {
 
 constexpr int kWidth = 9, kHeight = 7;
 // Off the middles and edges of pixels, so that no two neighbours get the same.
@@ -123,5 +123,5 @@ Shape "disk" "float radius" 0.1
   EXPECT_NEAR(mean, 0.04, 0.1 * 0.04);  // four standard deviations
 }
 
-}  // namespace
+}  // namespace film_point_test
 }  // namespace dspm::test

@@ -10,7 +10,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace final_gather_test {
 
 constexpr int kTests = 12;  // all of them together fail a right integrator with a chance of 1%
 constexpr double kLevel = 0.01 / kTests;
@@ -138,5 +138,5 @@ Integrator "photonmap" "integer finalgather" {} "integer photons" 5000 "integer 
   }
 }
 
-}  // namespace
+}  // namespace final_gather_test
 }  // namespace dspm::test

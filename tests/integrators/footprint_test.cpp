@@ -11,7 +11,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace footprint_test {
 
 constexpr float kMiddle = 100;  // of the film
 
@@ -105,5 +105,5 @@ INSTANTIATE_TEST_SUITE_P(
                          2, 1},
                     Case{"thin pane", "Material \"thindielectric\" Shape \"disk\" \"float radius\" 2", 1, 1}));
 
-}  // namespace
+}  // namespace footprint_test
 }  // namespace dspm::test

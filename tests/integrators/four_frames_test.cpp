@@ -6,7 +6,7 @@
 #include <random>
 
 namespace dspm {
-namespace {
+namespace four_frames_test {
 
 bool same(const PixelStatistics& a, const PixelStatistics& b) { return a.N == b.N && a.R2 == b.R2 && a.tau == b.tau; }
 
@@ -60,5 +60,5 @@ TEST(FourFrames, AreFourPixelStatistics) {
   }
 }
 
-}  // namespace
+}  // namespace four_frames_test
 }  // namespace dspm

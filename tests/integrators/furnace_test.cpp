@@ -9,7 +9,7 @@
 #include "dspm/testing/scenes.h"
 
 namespace dspm::test {
-namespace {
+namespace furnace_test {
 
 struct Case {
   const char* integrator;
@@ -96,5 +96,5 @@ TEST(Furnace, WhiteBallsAreNotSeen) {
     }
 }
 
-}  // namespace
+}  // namespace furnace_test
 }  // namespace dspm::test

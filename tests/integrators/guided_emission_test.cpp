@@ -15,7 +15,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace guided_emission_test {
 
 /// A sun and a sky over a wide ground, of which the camera sees 2 x 2 beside its centre.
 std::string ground(const std::string& integrator, const std::string& things = "", const char* frames = "",
@@ -124,5 +124,5 @@ TEST(GuidedEmission, FindsAThousandTimesMore) {
   }
 }
 
-}  // namespace
+}  // namespace guided_emission_test
 }  // namespace dspm::test

@@ -18,7 +18,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm {
-namespace {
+namespace hidden_light_test {
 
 using test::TestScene;
 
@@ -221,5 +221,5 @@ Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point3 P" [-2 1.6 -2  -2 1
   }
 }
 
-}  // namespace
+}  // namespace hidden_light_test
 }  // namespace dspm

@@ -8,7 +8,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace indirect_light_test {
 
 /// A corner with clear glass, a glossy and a coated ball, under a sky and a wide lamp, so that path finds all light.
 std::string corner(const std::string& integrator, const char* frames = "Frames 2") {
@@ -92,5 +92,5 @@ AttributeBegin Material "diffuse" "rgb reflectance" [.8 .8 .8] ReverseOrientatio
   EXPECT_GT(stored(scene("auto", box)), 0u);
 }
 
-}  // namespace
+}  // namespace indirect_light_test
 }  // namespace dspm::test

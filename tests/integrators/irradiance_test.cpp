@@ -7,7 +7,7 @@
 #include "tests/integrators/references.h"
 
 namespace dspm::test {
-namespace {
+namespace irradiance_test {
 
 constexpr int kMany = 30'000;  // where few photons reach what the camera sees
 
@@ -167,5 +167,5 @@ Shape "disk" "float radius" .6)"},
                     [](double x, double y) { return kPiExactly * (1 - disk_form_factor(std::hypot(x, y), 0.6, 0.6)); });
 }
 
-}  // namespace
+}  // namespace irradiance_test
 }  // namespace dspm::test

@@ -7,7 +7,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm {
-namespace {
+namespace joint_paths_test {
 
 using test::TestScene;
 
@@ -134,5 +134,5 @@ TEST(JointPaths, OtherDirectionsPart) {
   EXPECT_LT(glass.camera.segments.factor(), kFrames);
 }
 
-}  // namespace
+}  // namespace joint_paths_test
 }  // namespace dspm

@@ -11,7 +11,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm::test {
-namespace {
+namespace lens_camera_test {
 
 class LensCamera : public testing::Test {
  protected:
@@ -60,5 +60,5 @@ TEST_F(LensCamera, FramesAreWhatTheyAreAlone) {
   }
 }
 
-}  // namespace
+}  // namespace lens_camera_test
 }  // namespace dspm::test

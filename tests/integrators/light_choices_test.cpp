@@ -8,7 +8,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace light_choices_test {
 
 /// Three lamps, of which each variation has one or two; `sky` is there in all.
 std::string room(const std::string& integrator, double sky = 0.02) {
@@ -65,5 +65,5 @@ TEST(LightChoices, KeepThePromises) {
   }
 }
 
-}  // namespace
+}  // namespace light_choices_test
 }  // namespace dspm::test

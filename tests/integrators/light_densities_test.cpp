@@ -12,7 +12,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace light_densities_test {
 
 constexpr const char* kRoom = R"(
 LookAt 0 0 1  0 0 0  0 1 0
@@ -95,5 +95,5 @@ TEST(LightDensities, AreTheSameFromBothEnds) {
   }
 }
 
-}  // namespace
+}  // namespace light_densities_test
 }  // namespace dspm::test

@@ -11,7 +11,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace light_group_answers_test {
 
 class LightGroup : public testing::TestWithParam<const char*> {};
 
@@ -135,5 +135,5 @@ constexpr const char* kPhotonIntegrators[] = {
     R"("dsppm" "integer photons" 3000 "string emission" "power" "string indirect" "photons")"};
 INSTANTIATE_TEST_SUITE_P(Integrators, LightGroup, testing::ValuesIn(kPhotonIntegrators));
 
-}  // namespace
+}  // namespace light_group_answers_test
 }  // namespace dspm::test

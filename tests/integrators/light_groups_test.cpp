@@ -14,7 +14,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm {
-namespace {
+namespace light_groups_test {
 
 using test::TestScene;
 
@@ -256,5 +256,5 @@ TEST(LightGroups, ThatCannotBeGivenAreErrors) {
   EXPECT_NE(keyed.find("must be the same in all frames"), keyed.npos) << keyed;
 }
 
-}  // namespace
+}  // namespace light_groups_test
 }  // namespace dspm

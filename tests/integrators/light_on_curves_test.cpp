@@ -15,7 +15,7 @@
 #include "tests/support/seeds.h"
 
 namespace dspm::test {
-namespace {
+namespace light_on_curves_test {
 
 constexpr double kPassed = (1 - .04) / (1 + .04);
 
@@ -193,5 +193,5 @@ TEST(LightOnCurves, IsOfItsLightsGroup) {
   }
 }
 
-}  // namespace
+}  // namespace light_on_curves_test
 }  // namespace dspm::test

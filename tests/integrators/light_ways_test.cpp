@@ -8,7 +8,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace light_ways_test {
 
 constexpr const char* kSky = R"(LightSource "infinite" "rgb L" [.4 .5 .6])";
 constexpr const char* kLamp = R"(
@@ -135,5 +135,5 @@ TEST(LightWays, ExplicitWordsAreKept) {
   EXPECT_GT(first_iteration(open_ground(R"("sppm")", things)).photon.paths, 0u);
 }
 
-}  // namespace
+}  // namespace light_ways_test
 }  // namespace dspm::test

@@ -7,7 +7,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace long_counters_test {
 
 constexpr std::uint64_t kHigh = (std::uint64_t{1} << 32) - 100;
 
@@ -63,5 +63,5 @@ INSTANTIATE_TEST_SUITE_P(Integrators, LongCounters,
                                            "\"path\""),
                          name_of);
 
-}  // namespace
+}  // namespace long_counters_test
 }  // namespace dspm::test

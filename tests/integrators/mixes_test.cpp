@@ -7,7 +7,7 @@
 #include "dspm/testing/scenes.h"
 
 namespace dspm::test {
-namespace {
+namespace mixes_test {
 
 // Under a sky of radiance 1, a matte floor is as bright as its reflectance.
 TEST(Mixes, OfTwoMatteFloorsAreTheirMean) {
@@ -54,5 +54,5 @@ TEST(Mixes, FramesAreWhatTheyAreAlone) {
   }
 }
 
-}  // namespace
+}  // namespace mixes_test
 }  // namespace dspm::test

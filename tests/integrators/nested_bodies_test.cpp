@@ -11,7 +11,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm {
-namespace {
+namespace nested_bodies_test {
 
 using test::TestScene;
 
@@ -264,5 +264,5 @@ TEST(NestedBodies, DifferBetweenFrames) {
     }
 }
 
-}  // namespace
+}  // namespace nested_bodies_test
 }  // namespace dspm

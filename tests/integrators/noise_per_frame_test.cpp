@@ -12,7 +12,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace noise_per_frame_test {
 
 /// A ground under a sky: every pixel is 0.25, wherever the camera is.
 std::string ground(const std::string& integrator, const std::string& noise, const std::string& camera,
@@ -88,5 +88,5 @@ TEST(NoisePerFrame, KeepsThePromisesAndSharesPhotons) {
   EXPECT_GT(factors[1], 2.5);
 }
 
-}  // namespace
+}  // namespace noise_per_frame_test
 }  // namespace dspm::test

@@ -5,7 +5,7 @@
 #include "tests/support/seeds.h"
 
 namespace dspm::test {
-namespace {
+namespace own_references_test {
 
 struct Way {
   const char* integrator;
@@ -52,5 +52,5 @@ TEST_P(OwnReferences, LightTracerAgrees) {
 INSTANTIATE_TEST_SUITE_P(Scenes, OwnReferences, testing::ValuesIn(kReferences),
                          [](const auto& scene) { return std::string(scene.param); });
 
-}  // namespace
+}  // namespace own_references_test
 }  // namespace dspm::test

@@ -7,7 +7,7 @@
 #include "tests/integrators/floor.h"
 
 namespace dspm::test {
-namespace {
+namespace photon_controls_test {
 
 /// As in caustics_test.cpp: a lamp of radius 0.4, 0.8 above (x, 0), and a mirror at x = 0.9.
 std::string lamp(double x, const std::string& words = "") {
@@ -142,5 +142,5 @@ DynamicEnd)"}
   }
 }
 
-}  // namespace
+}  // namespace photon_controls_test
 }  // namespace dspm::test

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace dspm {
-namespace {
+namespace pixel_statistics_test {
 
 TEST(PixelStatistics, FollowsThePaper) {
   PixelStatistics s;
@@ -73,5 +73,5 @@ TEST(PixelStatistics, CountsBeyond32Bits) {
   EXPECT_EQ(s.N, 1e12 + static_cast<double>(0.7f) * 1e6);
 }
 
-}  // namespace
+}  // namespace pixel_statistics_test
 }  // namespace dspm

@@ -10,7 +10,7 @@
 #include "tests/support/seeds.h"
 
 namespace dspm {
-namespace {
+namespace promises_test {
 
 using test::RandomScene;
 using test::seeds;
@@ -103,5 +103,5 @@ TEST_P(Promises, NothingIsInvalid) {
 
 INSTANTIATE_TEST_SUITE_P(Integrators, Promises, ::testing::ValuesIn(kVariants));
 
-}  // namespace
+}  // namespace promises_test
 }  // namespace dspm

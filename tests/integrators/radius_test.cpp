@@ -13,7 +13,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace radius_test {
 
 const double kPiD = std::acos(-1.);
 
@@ -258,5 +258,5 @@ TEST(FirstRadius, IsTheOneThatTheSceneGives) {
                            [](double, double, double R2) { expect_near(R2, 0.37 * 0.37); });
 }
 
-}  // namespace
+}  // namespace radius_test
 }  // namespace dspm::test

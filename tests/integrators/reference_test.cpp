@@ -15,7 +15,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm {
-namespace {
+namespace reference_test {
 
 const std::filesystem::path kData = std::filesystem::path(DSPM_TEST_DATA) / "data/pbrt";
 
@@ -200,5 +200,5 @@ TEST_F(Reference, ClassroomByPath) {
   EXPECT_NEAR(r.g, 1.19, 0.04);
 }
 
-}  // namespace
+}  // namespace reference_test
 }  // namespace dspm

@@ -8,7 +8,7 @@
 #include "dspm/testing/agreement.h"
 
 namespace dspm::test {
-namespace {
+namespace roulette_test {
 
 class Roulette : public testing::TestWithParam<const char*> {
  protected:
@@ -79,5 +79,5 @@ INSTANTIATE_TEST_SUITE_P(Integrators, Roulette,
                                          R"("photonmap" "integer photons" 100 "integer causticphotons" 100)",
                                          R"("vcm" "integer photons" 100)"));
 
-}  // namespace
+}  // namespace roulette_test
 }  // namespace dspm::test

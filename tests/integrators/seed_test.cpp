@@ -4,7 +4,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace seed_test {
 
 /// A matte disk under a lamp. Rays go straight through the middles of pixels, so photons alone are random.
 Image disk(const std::string& integrator, int seed) {
@@ -29,5 +29,5 @@ TEST(Seed, IsThatOfPhotons) {
   }
 }
 
-}  // namespace
+}  // namespace seed_test
 }  // namespace dspm::test

@@ -11,7 +11,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm {
-namespace {
+namespace shadow_catcher_test {
 
 using test::TestScene;
 
@@ -55,7 +55,7 @@ constexpr const char* kBlack = R"(Material "diffuse" "rgb reflectance" [0 0 0])"
 struct Seen {
   std::vector<Image> alpha, radiance;
 };
-Rgb mean(const Image& image) {
+Rgb mean_of(const Image& image) {
   Rgb sum;
   for (const Rgb& pixel : image.pixels) sum += pixel / static_cast<float>(image.pixels.size());
   return sum;
@@ -80,10 +80,10 @@ TEST(ShadowCatcher, AlphaIsTheShareOfTheSkyThatABallHides) {
   for (const char* integrator : kIntegrators) {
     const Seen images = seen(scene(integrator, kCatches, kBlack), 96);
     ASSERT_EQ(images.alpha.size(), 3) << integrator;
-    EXPECT_NEAR(mean(images.alpha[0]).r, 0.25, 0.02) << integrator;
-    EXPECT_NEAR(mean(images.alpha[1]).r, 0.0625, 0.015) << integrator;
-    EXPECT_NEAR(mean(images.alpha[2]).r, 0, 1e-4) << integrator;  // without noise
-    for (const Image& radiance : images.radiance) EXPECT_LT(max_component(mean(radiance)), 2e-3f) << integrator;
+    EXPECT_NEAR(mean_of(images.alpha[0]).r, 0.25, 0.02) << integrator;
+    EXPECT_NEAR(mean_of(images.alpha[1]).r, 0.0625, 0.015) << integrator;
+    EXPECT_NEAR(mean_of(images.alpha[2]).r, 0, 1e-4) << integrator;  // without noise
+    for (const Image& radiance : images.radiance) EXPECT_LT(max_component(mean_of(radiance)), 2e-3f) << integrator;
   }
 }
 
@@ -99,7 +99,7 @@ TEST(ShadowCatcher, OverTheBareFloorLiesTheFloorWithItsLight) {
         for (std::size_t i = 0; i < over.pixels.size(); ++i)
           over.pixels[i] += plain.radiance[2].pixels[i] * (1 - caught.alpha[f].pixels[i].r);
         for (int c = 0; c < 3; ++c)
-          EXPECT_NEAR(mean(over)[c], mean(plain.radiance[f])[c], 1e-5f) << integrator << ", frame " << f;
+          EXPECT_NEAR(mean_of(over)[c], mean_of(plain.radiance[f])[c], 1e-5f) << integrator << ", frame " << f;
       }
     }
 }
@@ -116,8 +116,8 @@ TEST(ShadowCatcher, ThingsHideIt) {
   const Seen images = seen(scene(kIntegrators[0], kCatches, R"(Material "diffuse" "rgb reflectance" [.8 .8 .8])",
                                  "LookAt 0 -6 1.5  0 0 1.5  0 0 1"),
                            4);
-  EXPECT_EQ(mean(images.alpha[0]).r, 1);
-  EXPECT_GT(mean(images.radiance[0]).r, 0.4f);
+  EXPECT_EQ(mean_of(images.alpha[0]).r, 1);
+  EXPECT_GT(mean_of(images.radiance[0]).r, 0.4f);
 }
 
 TEST(ShadowCatcher, AFrameAloneIsThatOfTheJointRun) {
@@ -156,5 +156,5 @@ TEST(ShadowCatcher, IntegratorsThatDoNotKnowItSaySo) {
   }
 }
 
-}  // namespace
+}  // namespace shadow_catcher_test
 }  // namespace dspm

@@ -5,7 +5,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace sides_test {
 
 const std::string kPhotons = R"("integer photons" 100000 "float radius" 0.05)";
 
@@ -63,5 +63,5 @@ INSTANTIATE_TEST_SUITE_P(Integrators, Sides,
                                          "\"path\"", R"("vcm" "integer photons" 5000)"),
                          [](const auto& of) { return "Case" + std::to_string(of.index); });
 
-}  // namespace
+}  // namespace sides_test
 }  // namespace dspm::test

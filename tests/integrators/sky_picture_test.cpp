@@ -10,7 +10,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm::test {
-namespace {
+namespace sky_picture_test {
 
 constexpr int kPixels = 96;
 
@@ -61,5 +61,5 @@ AttributeEnd
   }
 }
 
-}  // namespace
+}  // namespace sky_picture_test
 }  // namespace dspm::test

@@ -5,7 +5,7 @@
 #include <map>
 
 namespace dspm {
-namespace {
+namespace strand_test {
 
 constexpr FrameSet kFew(0b0110), kOther(0b1001);
 
@@ -64,5 +64,5 @@ TEST(Strands, EqualWeightsAreOneStrand) {
   EXPECT_EQ(alike.strands()[0].frames, kFew | kOther);
 }
 
-}  // namespace
+}  // namespace strand_test
 }  // namespace dspm

@@ -9,7 +9,7 @@
 #include <vector>
 
 namespace dspm {
-namespace {
+namespace subpath_weights_test {
 
 enum class LightKind { area, infinite, point, parallel };
 
@@ -184,5 +184,5 @@ TEST(SubpathWeights, SumToOneAndAreSharesOfTheDensities) {
   EXPECT_GT(paths, 8000);
 }
 
-}  // namespace
+}  // namespace subpath_weights_test
 }  // namespace dspm

@@ -9,7 +9,7 @@
 #include "dspm/testing/scenes.h"
 
 namespace dspm::test {
-namespace {
+namespace subsurface_test {
 
 TEST(Subsurface, ItsSurfaceScattersAsItSamples) {
   for (const char* words :
@@ -111,5 +111,5 @@ DynamicEnd
   }
 }
 
-}  // namespace
+}  // namespace subsurface_test
 }  // namespace dspm::test

@@ -17,7 +17,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm {
-namespace {
+namespace surface_outputs_test {
 
 using test::TestScene;
 
@@ -363,5 +363,5 @@ TEST(Ids, AreThoseOfCryptomatte) {
   }
 }
 
-}  // namespace
+}  // namespace surface_outputs_test
 }  // namespace dspm

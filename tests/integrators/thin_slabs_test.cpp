@@ -9,7 +9,7 @@
 #include "tests/support/seeds.h"
 
 namespace dspm::test {
-namespace {
+namespace thin_slabs_test {
 
 /// A closed box, 2 wide, whose faces lie at z = 0 and z = -thickness.
 std::string slab(double thickness) {
@@ -108,5 +108,5 @@ TEST_P(ThinSlabs, ShowOneSide) {
 
 INSTANTIATE_TEST_SUITE_P(Of, ThinSlabs, testing::ValuesIn(kSights), [](const auto& each) { return each.param.name; });
 
-}  // namespace
+}  // namespace thin_slabs_test
 }  // namespace dspm::test

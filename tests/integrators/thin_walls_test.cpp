@@ -10,7 +10,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace thin_walls_test {
 
 constexpr int kTile = 8;
 
@@ -64,5 +64,5 @@ TEST(ThinWalls, HideLampsOfOnePlace) {
   }
 }
 
-}  // namespace
+}  // namespace thin_walls_test
 }  // namespace dspm::test

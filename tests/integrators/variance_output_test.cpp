@@ -13,7 +13,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace variance_output_test {
 
 constexpr int kIterations = 16, kSeeds = 12;
 
@@ -62,5 +62,5 @@ TEST(VarianceOutput, IsUnknownAfterOneIteration) {
   for (const Rgb& variance : made->estimate(0, kVarianceOutput).pixels) EXPECT_EQ(variance, Rgb());
 }
 
-}  // namespace
+}  // namespace variance_output_test
 }  // namespace dspm::test

@@ -11,7 +11,7 @@
 #include "tests/support/seeds.h"
 
 namespace dspm::test {
-namespace {
+namespace vcm_test {
 
 struct Case {
   const char* name;
@@ -185,5 +185,5 @@ TEST(VcmFrames, EachIsWhatItIsAlone) {
     }
 }
 
-}  // namespace
+}  // namespace vcm_test
 }  // namespace dspm::test

@@ -10,7 +10,7 @@
 #include "tests/support/process.h"
 
 namespace dspm::test {
-namespace {
+namespace display_server_test {
 
 using std::chrono::steady_clock;
 
@@ -122,5 +122,5 @@ TEST(DisplayServer, HarmsNothing) {
   }
 }
 
-}  // namespace
+}  // namespace display_server_test
 }  // namespace dspm::test

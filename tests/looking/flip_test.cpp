@@ -12,7 +12,7 @@
 #include "dspm/base/colour/rgb.h"
 
 namespace dspm {
-namespace {
+namespace flip_test {
 
 using std::numbers::pi;
 using Colour = std::array<double, 3>;
@@ -145,5 +145,5 @@ TEST(Flip, FlatColoursHaveTheirDistance) {
   EXPECT_NEAR(flip(flat(Rgb(0)), flat(Rgb(1)))[400], 0.95 + 0.05 * (black_and_white - 0.4 * most) / (0.6 * most), 1e-3);
 }
 
-}  // namespace
+}  // namespace flip_test
 }  // namespace dspm

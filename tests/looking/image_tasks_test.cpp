@@ -19,7 +19,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm {
-namespace {
+namespace image_tasks_test {
 
 using test::TemporaryDirectory;
 
@@ -238,5 +238,5 @@ TEST(ImageTasks, AVideoOfFiles) {
   EXPECT_THROW(make_pages({files, {}, ""}, {"", directory / "a.mp4", {}}), std::runtime_error) << "sizes differ";
 }
 
-}  // namespace
+}  // namespace image_tasks_test
 }  // namespace dspm

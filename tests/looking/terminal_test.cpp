@@ -17,7 +17,7 @@
 #include "dspm/looking/preview.h"
 
 namespace dspm {
-namespace {
+namespace terminal_test {
 
 Image stripes(int width, int height) {
   Image image(width, height);
@@ -201,5 +201,5 @@ TEST(Preview, StaysInItsPlaceWhileLinesFollow) {
   EXPECT_TRUE(preview.show(image).starts_with("\n\n\n\n\n\r\x1b[5A")) << "it has left the screen: again below";
 }
 
-}  // namespace
+}  // namespace terminal_test
 }  // namespace dspm

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace dspm::test {
-namespace {
+namespace desk_test {
 
 using Fetches = std::vector<std::pair<int, int>>;
 
@@ -99,5 +99,5 @@ TEST(Desk, ForgetsWhatWasBefore) {
   EXPECT_EQ(begin_of(desk.hand_out(1)), 8);
 }
 
-}  // namespace
+}  // namespace desk_test
 }  // namespace dspm::test

@@ -7,7 +7,7 @@
 #include "tests/support/process.h"
 
 namespace dspm::test {
-namespace {
+namespace mpirun_test {
 
 class Mpirun : public testing::Test {
  protected:
@@ -106,5 +106,5 @@ TEST_F(Mpirun, ADeadHelperLeavesTheCheckpointWhole) {
   EXPECT_EQ(run(directory, {"tiny.dsc", "--resume", "a.ck", "--iterations", "1"}).code, 0);
 }
 
-}  // namespace
+}  // namespace mpirun_test
 }  // namespace dspm::test

@@ -16,7 +16,7 @@
 #include "dspm/session/stage.h"
 
 namespace dspm::test {
-namespace {
+namespace together_test {
 
 constexpr const char* kScene = R"(
 Frames 3
@@ -294,5 +294,5 @@ TEST(Together, AnEndThatIsWantedDoesNotWaitForOthers) {
   EXPECT_THROW(led({{.is_stuck = true}}, {.end = 1'000'000, .end_wanted = [] { return true; }}), Cancelled);
 }
 
-}  // namespace
+}  // namespace together_test
 }  // namespace dspm::test

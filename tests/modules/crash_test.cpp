@@ -11,7 +11,7 @@
 #include "tests/support/process.h"
 
 namespace dspm::test {
-namespace {
+namespace crash_test {
 
 /// A run with an integrator that ends it in its second iteration.
 Outcome run_in_mood(const TinyDirectory& directory, const std::string& mood,
@@ -78,5 +78,5 @@ TEST(Crash, SaysIfNothingIsLeft) {
   EXPECT_FALSE(directory.has("tiny.0001.exr"));
 }
 
-}  // namespace
+}  // namespace crash_test
 }  // namespace dspm::test

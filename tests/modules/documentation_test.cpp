@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace dspm {
-namespace {
+namespace documentation_test {
 
 namespace fs = std::filesystem;
 
@@ -65,5 +65,5 @@ TEST(PluginDocumentation, LinksLeadSomewhere) {
   }
 }
 
-}  // namespace
+}  // namespace documentation_test
 }  // namespace dspm

@@ -7,7 +7,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm::test {
-namespace {
+namespace elf_section_test {
 
 const std::filesystem::path kModule = std::filesystem::path(DSPM_TEST_MODULES) / "libidle.so";
 
@@ -58,5 +58,5 @@ TEST(ElfSection, NoBytesOfAFileLeadOutOfIt) {
   }
 }
 
-}  // namespace
+}  // namespace elf_section_test
 }  // namespace dspm::test

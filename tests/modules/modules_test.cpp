@@ -7,7 +7,7 @@
 #include "tests/support/process.h"
 
 namespace dspm::test {
-namespace {
+namespace modules_test {
 
 const std::string kModules = DSPM_TEST_MODULES;
 std::string module_file(const std::string& name) { return kModules + "/lib" + name + ".so"; }
@@ -198,5 +198,5 @@ TEST(Modules, OneThatDoesNotComeBackIsNamed) {
   expect_contains(outcome.err, "at work: integrator \"mischief\" of libmischief.so");
 }
 
-}  // namespace
+}  // namespace modules_test
 }  // namespace dspm::test

@@ -7,7 +7,7 @@
 #include "tests/support/process.h"
 
 namespace dspm::test {
-namespace {
+namespace not_finite_test {
 
 struct Fault {
   std::string kind, from, to;  // what of the scene is replaced
@@ -79,5 +79,5 @@ INSTANTIATE_TEST_SUITE_P(Integrators, NotFinite,
                          testing::Values(R"("dsppm" "string indirect" "photons")", R"("sppm")", R"("photonmap")",
                                          R"("photonmap" "integer finalgather" 2)", R"("path")", R"("vcm")"));
 
-}  // namespace
+}  // namespace not_finite_test
 }  // namespace dspm::test

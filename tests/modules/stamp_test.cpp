@@ -6,7 +6,7 @@
 #include <cstring>
 
 namespace dspm {
-namespace {
+namespace stamp_test {
 
 std::string bytes_of(const ModuleStamp& stamp) { return {reinterpret_cast<const char*>(&stamp), sizeof(stamp)}; }
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -64,5 +64,5 @@ TEST(Stamp, PartsOfOneDoNotFit) {
   for (std::size_t size = 0; size < whole.size(); ++size) EXPECT_NE(why_unfit(whole.substr(0, size)), "") << size;
 }
 
-}  // namespace
+}  // namespace stamp_test
 }  // namespace dspm

@@ -8,7 +8,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm {
-namespace {
+namespace child_process_test {
 
 ChildProcess shell(const std::string& script, const std::string& argument = "") {
   return ChildProcess({"sh", "-c", script, argument});
@@ -86,5 +86,5 @@ TEST(ChildProcess, AMissingProgramIsAnError) {
   }
 }
 
-}  // namespace
+}  // namespace child_process_test
 }  // namespace dspm

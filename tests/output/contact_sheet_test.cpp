@@ -10,7 +10,7 @@
 #include "dspm/output/bitmap_font.h"
 
 namespace dspm {
-namespace {
+namespace contact_sheet_test {
 
 bool overlap(const PixelRect& a, const PixelRect& b) {
   return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
@@ -201,5 +201,5 @@ TEST(BitmapFont, WhatLiesOutsideIsCutOff) {
   draw_text(image, 1000, 2, "W\xff\n", 1, Rgb(1));
 }
 
-}  // namespace
+}  // namespace contact_sheet_test
 }  // namespace dspm

@@ -11,7 +11,7 @@
 #include "tests/support/process.h"
 
 namespace dspm::test {
-namespace {
+namespace cryptomatte_file_test {
 
 struct Cryptomatte {
   std::string name, hash, conversion, manifest;
@@ -134,5 +134,5 @@ TEST(CryptomatteFile, ThereIsNoneOfThatNameAlone) {
       << outcome.err;
 }
 
-}  // namespace
+}  // namespace cryptomatte_file_test
 }  // namespace dspm::test

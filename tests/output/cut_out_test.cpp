@@ -12,7 +12,7 @@
 #include "dspm/output/view.h"
 
 namespace dspm {
-namespace {
+namespace cut_out_test {
 
 const std::array<Rgb, 3> kBackgrounds = {Rgb(1), Rgb(), Rgb(1, 0, 0)};
 
@@ -130,5 +130,5 @@ TEST(Background, IsWrittenAsOnPages) {
     EXPECT_THROW(parse_background(bad), std::runtime_error) << bad;
 }
 
-}  // namespace
+}  // namespace cut_out_test
 }  // namespace dspm

@@ -12,7 +12,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm {
-namespace {
+namespace denoised_test {
 
 constexpr int kSize = 64;
 
@@ -79,5 +79,5 @@ TEST(Denoised, TilesUnderWaterKeepTheirContrast) {
   EXPECT_LT(roughness(clean, albedo), roughness(plain, albedo) / 10);
 }
 
-}  // namespace
+}  // namespace denoised_test
 }  // namespace dspm

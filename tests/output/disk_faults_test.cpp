@@ -9,7 +9,7 @@
 #include "tests/support/process.h"
 
 namespace dspm::test {
-namespace {
+namespace disk_faults_test {
 
 namespace fs = std::filesystem;
 
@@ -273,5 +273,5 @@ TEST(AfterTheRender, StatisticsAndVideoCostNothingElse) {
   for (int frame = 1; frame <= 3; ++frame) EXPECT_EQ(read_image(directory.image(frame)).width, 12);
 }
 
-}  // namespace
+}  // namespace disk_faults_test
 }  // namespace dspm::test

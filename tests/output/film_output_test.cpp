@@ -13,7 +13,7 @@
 #include "tests/support/process.h"
 
 namespace dspm::test {
-namespace {
+namespace film_output_test {
 
 constexpr int kWidth = 12, kHeight = 8, kPixels = kWidth * kHeight;
 
@@ -283,5 +283,5 @@ TEST(DescribedCamera, ParametersHaveTheEffectThatIsClaimed) {
   EXPECT_GE(described, 20);
 }
 
-}  // namespace
+}  // namespace film_output_test
 }  // namespace dspm::test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace dspm {
-namespace {
+namespace image_name_test {
 
 TEST(ImageName, FramesAreNumberedFromOne) {
   EXPECT_EQ(image_name("water.exr", Moment(0)), "water.0001.exr");
@@ -39,5 +39,5 @@ TEST(ImageName, LabelsComeBeforeTheNumber) {
   EXPECT_EQ(image_name("chair.####.exr", Moment(0), "oak-red"), "chair.oak-red.0001.exr");
 }
 
-}  // namespace
+}  // namespace image_name_test
 }  // namespace dspm

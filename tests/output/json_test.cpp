@@ -5,7 +5,7 @@
 #include <limits>
 
 namespace dspm {
-namespace {
+namespace json_test {
 
 TEST(Json, WritesNestedValues) {
   JsonWriter json;
@@ -49,5 +49,5 @@ TEST(Json, EscapesTextAndHasNoWordForInfinity) {
   EXPECT_EQ(number.text(), "null");
 }
 
-}  // namespace
+}  // namespace json_test
 }  // namespace dspm

@@ -10,7 +10,7 @@
 #include "tests/support/process.h"
 
 namespace dspm::test {
-namespace {
+namespace layer_files_test {
 
 using Names = std::vector<std::string>;
 
@@ -147,5 +147,5 @@ TEST(LayerFiles, OfASphericalCameraHaveNoProjection) {
   EXPECT_EQ(header.matrices.count("worldToNDC"), 0U);
 }
 
-}  // namespace
+}  // namespace layer_files_test
 }  // namespace dspm::test

@@ -11,7 +11,7 @@
 #include "tests/support/process.h"
 
 namespace dspm::test {
-namespace {
+namespace layers_test {
 
 using Names = std::vector<std::string>;
 
@@ -123,5 +123,5 @@ TEST(Layers, ThatNobodyHasAreErrors) {
   EXPECT_NE(png.err.find("-o a.exr gives them"), std::string::npos) << png.err;
 }
 
-}  // namespace
+}  // namespace layers_test
 }  // namespace dspm::test

@@ -5,7 +5,7 @@
 #include "dspm/base/params/errors.h"
 
 namespace dspm {
-namespace {
+namespace name_template_test {
 
 std::string filled(std::string_view pattern) {
   return filled_in(pattern, {{"variation", "oak-red"}, {"legs", "oak"}, {"the seat", "red"}}, 7);
@@ -41,5 +41,5 @@ TEST(NameTemplate, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(refusal("a{legs"), "the images' name a{legs: a } is missing; {{ stands for the brace itself");
 }
 
-}  // namespace
+}  // namespace name_template_test
 }  // namespace dspm

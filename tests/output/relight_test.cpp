@@ -9,7 +9,7 @@
 #include "tests/support/process.h"
 
 namespace dspm::test {
-namespace {
+namespace relight_test {
 
 /// Two frames of two groups, "key" and "cold", and an area light without a group; in Rec. 2020, exposed and balanced.
 std::string scene(const char* key, const char* cold) {
@@ -186,5 +186,5 @@ TEST(Relight, FactorsAreANumberAndAColour) {
     EXPECT_THROW(parse_group_factor(text), UsageError) << text;
 }
 
-}  // namespace
+}  // namespace relight_test
 }  // namespace dspm::test

@@ -9,7 +9,7 @@
 #include "tests/output/json_check.h"
 
 namespace dspm {
-namespace {
+namespace run_report_test {
 
 Statistics interval(int iterations, double seconds) {
   Statistics s;
@@ -67,5 +67,5 @@ TEST(RunReport, TableAndJsonHoldTheSharingFactors) {
   EXPECT_NE(json.find("\"joined_paths\": 1500"), std::string::npos) << json;
 }
 
-}  // namespace
+}  // namespace run_report_test
 }  // namespace dspm

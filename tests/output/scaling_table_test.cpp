@@ -5,7 +5,7 @@
 #include "dspm/output/report/run_report.h"
 
 namespace dspm {
-namespace {
+namespace scaling_table_test {
 
 StepTime step(const char* name, double all, double span) { return {name, all / 2, {all, span}}; }
 
@@ -32,5 +32,5 @@ TEST(ScalingTable, IsEmptyIfNoWorkIsCounted) {
   EXPECT_EQ(scaling_table({{"reading the scene", 2}, {kIterations, 3}}, {{"hit points", 1}}), "");
 }
 
-}  // namespace
+}  // namespace scaling_table_test
 }  // namespace dspm

@@ -11,7 +11,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm {
-namespace {
+namespace sheet_file_test {
 
 using test::contents;
 using test::TemporaryDirectory;
@@ -119,5 +119,5 @@ TEST(SheetFile, AQuickLookHasTheSheetOfTheWhole) {
   EXPECT_EQ(read_image(directory / "small.png").width, SheetLayout({3, 2}, 16, 8).sheet_width());
 }
 
-}  // namespace
+}  // namespace sheet_file_test
 }  // namespace dspm

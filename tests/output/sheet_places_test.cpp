@@ -8,7 +8,7 @@
 #include "dspm/lang/parse.h"
 
 namespace dspm {
-namespace {
+namespace sheet_places_test {
 
 constexpr const char* kSeats = R"(AxisBegin "seat"
 VariationBegin "red" Show "cushion" VariationEnd
@@ -159,5 +159,5 @@ TEST(SheetPlaces, WhatIsNotChosenTakesNoPlace) {
   EXPECT_EQ(row.places, (Places{0, 1, 2}));
 }
 
-}  // namespace
+}  // namespace sheet_places_test
 }  // namespace dspm

@@ -9,7 +9,7 @@
 #include "tests/support/fake_ffmpeg.h"
 
 namespace dspm {
-namespace {
+namespace video_test {
 
 using test::FakeFfmpeg;
 using test::TemporaryDirectory;
@@ -185,5 +185,5 @@ TEST(Video, AMissingDirectoryIsSaidAtOnce) {
   EXPECT_NE(error_of(directory / "none/a.mp4", 0).find("there is no directory"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace video_test
 }  // namespace dspm

@@ -13,7 +13,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm {
-namespace {
+namespace view_test {
 
 Rgb one_pixel(const View& view, const Rgb& radiance) {
   Image image(1, 1);
@@ -284,5 +284,5 @@ TEST_F(Ocio, EntersByAcesAndShowsTheSpaceThatItWorksIn) {
   }
 }
 
-}  // namespace
+}  // namespace view_test
 }  // namespace dspm

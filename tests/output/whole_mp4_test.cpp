@@ -5,7 +5,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm {
-namespace {
+namespace whole_mp4_test {
 
 using namespace std::string_literals;
 
@@ -39,5 +39,5 @@ TEST(WholeMp4, EndsWhereItsBoxesEnd) {
   EXPECT_FALSE(is_whole_mp4("/no/such/file.mp4"));
 }
 
-}  // namespace
+}  // namespace whole_mp4_test
 }  // namespace dspm

@@ -8,7 +8,7 @@
 #include "dspm/base/system/atomic_file.h"
 
 namespace dspm {
-namespace {
+namespace write_faults_test {
 
 /// A file that can be written or not.
 struct File {
@@ -90,5 +90,5 @@ TEST_F(Faults, ALackOfMemoryIsOneAndOtherErrorsAreNot) {
   EXPECT_THROW(faults.attempt(a.name, [] { throw std::logic_error("a bug"); }), std::logic_error);
 }
 
-}  // namespace
+}  // namespace write_faults_test
 }  // namespace dspm

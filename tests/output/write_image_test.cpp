@@ -8,7 +8,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm {
-namespace {
+namespace write_image_test {
 
 using test::TemporaryDirectory;
 
@@ -84,5 +84,5 @@ TEST(WriteImage, OtherEndingsAreErrors) {
   EXPECT_EQ(directory.file_count(), 0);
 }
 
-}  // namespace
+}  // namespace write_image_test
 }  // namespace dspm

@@ -6,7 +6,7 @@
 #include "dspm/shapes/mesh_check.h"
 
 namespace dspm::animal {
-namespace {
+namespace animal_test {
 
 TEST(Animal, IsSoundAndOnTheGroundInEveryPose) {
   const Body body = make_body();
@@ -31,5 +31,5 @@ TEST(Animal, IsFineEnough) {
   EXPECT_LT(faces, 11000u);
 }
 
-}  // namespace
+}  // namespace animal_test
 }  // namespace dspm::animal

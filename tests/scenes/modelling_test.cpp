@@ -11,7 +11,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm {
-namespace {
+namespace modelling_test {
 
 TEST(Lathe, MakesSoundBodies) {
   for (const auto& profile :
@@ -87,5 +87,5 @@ TEST(WritePly, IsReadBack) {
   }
 }
 
-}  // namespace
+}  // namespace modelling_test
 }  // namespace dspm

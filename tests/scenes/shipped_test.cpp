@@ -13,7 +13,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm {
-namespace {
+namespace shipped_test {
 
 namespace fs = std::filesystem;
 
@@ -91,5 +91,5 @@ TEST_F(ShippedScenes, HorseGallopsInAnyNumberOfFrames) {
                  {"frames=" + std::to_string(frames), "step=" + std::to_string(768 / frames), "estimator=hj09"});
 }
 
-}  // namespace
+}  // namespace shipped_test
 }  // namespace dspm

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace dspm {
-namespace {
+namespace access_test {
 
 TEST(ServeAddress, ParsesPortsAndAddresses) {
   const auto expect = [](const char* text, const char* host, int port) {
@@ -73,5 +73,5 @@ TEST(Access, NobodyIsLetInWithoutTheToken) {
   }
 }
 
-}  // namespace
+}  // namespace access_test
 }  // namespace dspm

@@ -7,7 +7,7 @@
 #include <thread>
 
 namespace dspm {
-namespace {
+namespace gallery_test {
 
 using std::chrono::milliseconds;
 
@@ -143,5 +143,5 @@ TEST(Gallery, WhatNobodyLooksAtIsDroppedWhenItIsTooMuch) {
   EXPECT_EQ(request(gallery, 1, {{{11, kRadiance, 0}}}, 20).get().size(), 1u);
 }
 
-}  // namespace
+}  // namespace gallery_test
 }  // namespace dspm

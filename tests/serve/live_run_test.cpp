@@ -10,7 +10,7 @@
 #include "tests/support/process.h"
 
 namespace dspm::test {
-namespace {
+namespace live_run_test {
 
 class LiveRun : public testing::Test {
  protected:
@@ -260,5 +260,5 @@ TEST(LiveOptions, WhatDoesNotFitIsRefused) {
   EXPECT_NE(error({"--serve", "0", "-"}).find("standard input"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace live_run_test
 }  // namespace dspm::test

@@ -12,7 +12,7 @@
 #include "dspm/base/colour/rgb.h"
 
 namespace dspm {
-namespace {
+namespace picture_test {
 
 /// By the definition of half floats. [IEEE 754, binary16]
 double value_of(std::uint16_t bits) {
@@ -118,5 +118,5 @@ TEST(Picture, NoHalvingLeavesLessThanAPixel) {
   EXPECT_EQ(picture.height, 1);
 }
 
-}  // namespace
+}  // namespace picture_test
 }  // namespace dspm

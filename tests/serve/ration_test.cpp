@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace dspm {
-namespace {
+namespace ration_test {
 
 using namespace std::chrono_literals;
 const Ration::Clock::time_point kStart{1h};
@@ -29,5 +29,5 @@ TEST(Ration, WhatWasTakenTooEarlyIsSavedLater) {
   EXPECT_TRUE(hundredth.is_due(kStart + 3s));
 }
 
-}  // namespace
+}  // namespace ration_test
 }  // namespace dspm

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace dspm {
-namespace {
+namespace requests_test {
 
 TEST(Requests, WishesAreLines) {
   const auto request = parse_wishes("281474976710655\n0 radiance 2 5 7\n63 N 0 0 18446744073709551615\n");
@@ -45,5 +45,5 @@ TEST(Requests, CountsHaveBounds) {
     EXPECT_FALSE(parse_count(text, 1, 100));
 }
 
-}  // namespace
+}  // namespace requests_test
 }  // namespace dspm

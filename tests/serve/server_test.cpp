@@ -10,7 +10,7 @@
 #include "tests/serve/http_client.h"
 
 namespace dspm::test {
-namespace {
+namespace server_test {
 
 struct Served : testing::Test {
   Gallery gallery;
@@ -292,5 +292,5 @@ TEST(Server, EndsWhileViewersWaitAndSlowOnesAsk) {
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
 }
 
-}  // namespace
+}  // namespace server_test
 }  // namespace dspm::test

@@ -11,7 +11,7 @@
 #include "dspm/session/load.h"
 
 namespace dspm {
-namespace {
+namespace corpus_test {
 
 namespace fs = std::filesystem;
 
@@ -88,5 +88,5 @@ TEST(Corpus, ScenesForV3) {
     EXPECT_TRUE(is_refused_by_name(cause) || cause == "ConcatTransform is not affine") << cause;
 }
 
-}  // namespace
+}  // namespace corpus_test
 }  // namespace dspm

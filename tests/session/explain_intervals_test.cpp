@@ -8,7 +8,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm {
-namespace {
+namespace explain_intervals_test {
 
 TEST(ExplainIntervals, SaysOnceWhatHoldsInAll) {
   test::TestScene test(
@@ -34,5 +34,5 @@ TEST(ExplainIntervals, SaysOnceWhatHoldsInAll) {
   EXPECT_EQ(explained({frames(0, 6)}), test.world().explain(frames(0, 6)));
 }
 
-}  // namespace
+}  // namespace explain_intervals_test
 }  // namespace dspm

@@ -9,7 +9,7 @@
 #include "dspm/session/stage.h"
 
 namespace dspm {
-namespace {
+namespace explain_photons_test {
 
 // Of lamps of one place, the guide is for light that comes straight from them only if photons bring it.
 constexpr const char* kGuided = R"("dsppm" "string direct" "photons")";
@@ -94,5 +94,5 @@ TEST(ExplainPhotons, IsKnownToARender) {
   EXPECT_EQ(explained.loaded.job.settings.file->bytes(), bytes);
 }
 
-}  // namespace
+}  // namespace explain_photons_test
 }  // namespace dspm

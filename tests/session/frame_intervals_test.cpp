@@ -10,7 +10,7 @@
 #include "dspm/lang/parse.h"
 
 namespace dspm {
-namespace {
+namespace frame_intervals_test {
 
 using Lengths = std::vector<std::size_t>;
 
@@ -137,5 +137,5 @@ TEST(Factors, MovePathsByGeometryCameraAndPlacesOfLights) {
   EXPECT_TRUE(moves("DynamicBegin \"a\" Shape \"sphere\" \"float radius@1\" 1 \"float radius@9\" 2 DynamicEnd"));
 }
 
-}  // namespace
+}  // namespace frame_intervals_test
 }  // namespace dspm

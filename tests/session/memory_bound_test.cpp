@@ -13,7 +13,7 @@
 #endif
 
 namespace dspm::test {
-namespace {
+namespace memory_bound_test {
 
 constexpr double kMegabyte = 1e6;
 constexpr float kRounding = 1e-4f;  // of sums of partial sums
@@ -335,5 +335,5 @@ TEST(Memory, SenselessBytesAreUsageErrors) {
     EXPECT_EQ(run_within(directory, memory).code, 2) << memory;
 }
 
-}  // namespace
+}  // namespace memory_bound_test
 }  // namespace dspm::test

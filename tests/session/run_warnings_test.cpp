@@ -10,7 +10,7 @@
 #include "dspm/testing/scenes.h"
 
 namespace dspm::test {
-namespace {
+namespace run_warnings_test {
 
 struct Heard final : Messages {
   Heard() : Messages(true) {}
@@ -98,5 +98,5 @@ TEST(RunWarnings, ShortRunsAreNotJudged) {
             "");
 }
 
-}  // namespace
+}  // namespace run_warnings_test
 }  // namespace dspm::test

@@ -15,7 +15,7 @@
 #include "tests/support/idle_integrator.h"
 
 namespace dspm::test {
-namespace {
+namespace session_test {
 
 /// Takes a few iterations, of which one may end otherwise.
 class Stumbling : public IdleIntegrator {
@@ -207,5 +207,5 @@ Shape "trianglemesh" "integer indices" [0 1 2] "point3 P" [0 0 3  1 0 3  0 1 3])
   EXPECT_NE(diagnostics.all().front().message.find("open"), std::string::npos) << diagnostics.all().front().message;
 }
 
-}  // namespace
+}  // namespace session_test
 }  // namespace dspm::test

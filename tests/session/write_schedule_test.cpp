@@ -5,7 +5,7 @@
 #include <string>
 
 namespace dspm {
-namespace {
+namespace write_schedule_test {
 
 TEST(WriteSchedule, IsDueAfterEverySoManyIterations) {
   WriteSchedule third({.seconds = 0, .iterations = 3}), never({});
@@ -38,5 +38,5 @@ TEST(WriteSchedule, GoesOnFromWhatACheckpointHeld) {
   EXPECT_TRUE(third.due(10));
 }
 
-}  // namespace
+}  // namespace write_schedule_test
 }  // namespace dspm

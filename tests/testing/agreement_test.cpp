@@ -7,7 +7,7 @@
 #include "dspm/testing/scenes.h"
 
 namespace dspm::test {
-namespace {
+namespace agreement_test {
 
 // Both tails that statistics tables print: 5% at 12.706 with 1 degree of freedom, 4.303 with 2, 3.182 with 3, 2.571
 // with 5, 2.228 with 10; 1% at 3.169 with 10, 0.1% at 6.869 with 5.
@@ -80,5 +80,5 @@ TEST(Agreement, TellsADimmerLamp) {
   EXPECT_FALSE(agreement(right, lit("[190 190 190]")).passed);
 }
 
-}  // namespace
+}  // namespace agreement_test
 }  // namespace dspm::test

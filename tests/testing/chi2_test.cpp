@@ -6,7 +6,7 @@
 #include "dspm/testing/scattering_cases.h"
 
 namespace dspm::test {
-namespace {
+namespace chi2_test {
 
 // Upper tails that statistics tables print: 3.841 at 1 degree of freedom, 18.307 at 10, 124.342 at 100 (all 5%).
 TEST(Chi2, TailsOfTheTable) {
@@ -52,5 +52,5 @@ TEST(Chi2, SamplesWhereNoneMayBeFail) {
   EXPECT_FALSE(SphereChi2({}).run(sample, [](const Vec3& w) { return w.z > 0 ? 0.5f / kPi : 0.f; }).passed);
 }
 
-}  // namespace
+}  // namespace chi2_test
 }  // namespace dspm::test

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 namespace dspm {
-namespace {
+namespace compare_test {
 
 Image filled(int width, int height, const Rgb& color) {
   Image image(width, height);
@@ -51,5 +51,5 @@ TEST(Compare, SizesMustAgree) {
   EXPECT_THROW(compare_tiles(Image(2, 3), Image(3, 2), 2), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace compare_test
 }  // namespace dspm

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace dspm::test {
-namespace {
+namespace furnace_test {
 
 TEST(FurnaceChecks, LongPathsAreRight) {
   const Verdict verdict = check_furnace(R"("path" "integer maxdepth" 40)", 4, {0.01, 0.001});
@@ -24,5 +24,5 @@ TEST(FurnaceChecks, NoPathsShowNoAlbedo) {
   EXPECT_FALSE(check_open_furnace("\"diffuse\"", "\"path\" \"integer maxdepth\" 0", 4).passed);
 }
 
-}  // namespace
+}  // namespace furnace_test
 }  // namespace dspm::test

@@ -9,7 +9,7 @@
 #include "tests/support/idle_integrator.h"
 
 namespace dspm::test {
-namespace {
+namespace promises_test {
 
 /// Its images are even, of a colour that the scene and the crop decide.
 template <class Colour>
@@ -81,5 +81,5 @@ TEST(Promises, PixelsThatChangeWithTheCropAreFound) {
   EXPECT_TRUE(check_joint(scene("frame")).passed);
 }
 
-}  // namespace
+}  // namespace promises_test
 }  // namespace dspm::test

@@ -8,7 +8,7 @@
 #include "dspm/materials/shading_frame.h"
 
 namespace dspm::test {
-namespace {
+namespace scattering_test {
 
 enum class Fault { none, density, weight, gain, one_way, no_number, wrong_side };
 
@@ -92,5 +92,5 @@ TEST(ScatteringChecks, OfWordsInAScene) {
   EXPECT_THROW(check_scattering(R"("diffuse" "float roughnes" 1)"), SceneError);
 }
 
-}  // namespace
+}  // namespace scattering_test
 }  // namespace dspm::test

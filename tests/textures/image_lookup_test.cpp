@@ -8,7 +8,7 @@
 #include <random>
 
 namespace dspm {
-namespace {
+namespace image_lookup_test {
 
 constexpr ImageFilter kFilters[] = {ImageFilter::point, ImageFilter::bilinear, ImageFilter::trilinear,
                                     ImageFilter::ewa};
@@ -206,5 +206,5 @@ TEST(ImageLookup, AnyCoordinateIsFinite) {
           EXPECT_TRUE(std::isfinite(lookup(map, filter, wrap).at<float>({{odd, 0.5f}, {size, 0}, {0, size / 2}})));
 }
 
-}  // namespace
+}  // namespace image_lookup_test
 }  // namespace dspm

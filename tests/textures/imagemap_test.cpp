@@ -8,7 +8,7 @@
 #include "tests/textures/make.h"
 
 namespace dspm {
-namespace {
+namespace imagemap_test {
 
 class Imagemap : public testing::Test {
  protected:
@@ -144,5 +144,5 @@ TEST_F(Imagemap, WithoutFilteringThereIsNothingButThePicture) {
   EXPECT_EQ(ImageCache().read(ramp(), {})->levels(), 3);
 }
 
-}  // namespace
+}  // namespace imagemap_test
 }  // namespace dspm

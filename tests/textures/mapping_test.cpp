@@ -6,7 +6,7 @@
 #include "tests/textures/make.h"
 
 namespace dspm {
-namespace {
+namespace mapping_test {
 
 TextureMapping mapping_of(std::vector<Param> params, const Transform& placement = {}) {
   Diagnostics diagnostics;
@@ -94,5 +94,5 @@ TEST(Mapping, WhereNothingIsKnownThereIsNoFootprint) {
   EXPECT_TRUE(std::isfinite(change.x) && std::isfinite(change.y));
 }
 
-}  // namespace
+}  // namespace mapping_test
 }  // namespace dspm

@@ -9,7 +9,7 @@
 #include "tests/textures/make.h"
 
 namespace dspm {
-namespace {
+namespace noise_test {
 
 /// Points spread over the lattice, also where it repeats.
 template <class Fn>
@@ -82,5 +82,5 @@ TEST(Octaves, AddUp) {
   EXPECT_NEAR(turbulence(p, {3, 0.25f}), std::abs(one) + std::abs(two) / 4 + std::abs(three) / 16, 1e-6f);
 }
 
-}  // namespace
+}  // namespace noise_test
 }  // namespace dspm

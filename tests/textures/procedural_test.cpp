@@ -6,7 +6,7 @@
 #include "tests/textures/make.h"
 
 namespace dspm {
-namespace {
+namespace procedural_test {
 
 /// Twice as large, turned by a right angle (x becomes y), and away from the origin.
 Transform placement() {
@@ -141,5 +141,5 @@ TEST(Dots, LieWhereNoiseSays) {
   EXPECT_EQ(w.make<Rgb>("dots", {})->evaluate(at_uv(kInfinity, 0)), Rgb(1));
 }
 
-}  // namespace
+}  // namespace procedural_test
 }  // namespace dspm

@@ -5,7 +5,7 @@
 #include "tests/textures/make.h"
 
 namespace dspm {
-namespace {
+namespace textures_test {
 
 TEST(Texture, ConstantsKnowThatTheyAre) {
   Workshop w;
@@ -202,5 +202,5 @@ TEST(Texture, SecondCoordinates) {
   EXPECT_EQ(w.message(), "\"uvset\" must be 1 or 2");
 }
 
-}  // namespace
+}  // namespace textures_test
 }  // namespace dspm

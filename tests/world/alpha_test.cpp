@@ -9,7 +9,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm {
-namespace {
+namespace alpha_test {
 
 using test::box;
 using test::TestScene;
@@ -108,5 +108,5 @@ Texture "height" "float" "constant" "float value@1" 0.25 "float value@2" 0.5
   EXPECT_NE(fault(mesh + " \"float displacement\" 1 \"float edgelength\" 0").find("above 0"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace alpha_test
 }  // namespace dspm

@@ -8,7 +8,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm {
-namespace {
+namespace bounds_test {
 
 using test::TestScene;
 
@@ -59,5 +59,5 @@ TEST(Bounds, OfABoxHoldThoseOfEveryBoxWithin) {
     }
 }
 
-}  // namespace
+}  // namespace bounds_test
 }  // namespace dspm

@@ -9,7 +9,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm {
-namespace {
+namespace curves_test {
 
 using test::TestScene;
 
@@ -126,5 +126,5 @@ TEST(Strands, DoNotShine) {
   }
 }
 
-}  // namespace
+}  // namespace curves_test
 }  // namespace dspm

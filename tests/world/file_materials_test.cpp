@@ -10,7 +10,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm::test {
-namespace {
+namespace file_materials_test {
 
 constexpr const char* kSquare = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
 
@@ -161,5 +161,5 @@ TEST_F(FileMaterials, UnknownNamesAreErrorsWithAPlace) {
     }
 }
 
-}  // namespace
+}  // namespace file_materials_test
 }  // namespace dspm::test

@@ -11,7 +11,7 @@
 #include "tests/support/idle_integrator.h"
 
 namespace dspm {
-namespace {
+namespace integrator_choice_test {
 
 std::unique_ptr<Integrator> make_idle(ParamReader& params, const Scene&, const RenderSettings&) {
   params.finish();
@@ -112,5 +112,5 @@ TEST(IntegratorChoice, ButAModulesIntegratorOfThatNameComesFirst) {
   EXPECT_EQ(integrator_of("volpath"), "path");
 }
 
-}  // namespace
+}  // namespace integrator_choice_test
 }  // namespace dspm

@@ -7,7 +7,7 @@
 #include "dspm/world/world.h"
 
 namespace dspm::test {
-namespace {
+namespace interface_test {
 
 std::string options(const char* integrator, int frames = 1) {
   return fmt::format("Frames {}\nIntegrator {}\n", frames, integrator);
@@ -63,5 +63,5 @@ TEST(Interface, DoesNotWidenTheScene) {
   EXPECT_EQ(radius("Material \"interface\" Shape \"sphere\" \"float radius\" 100\n"), radius(""));
 }
 
-}  // namespace
+}  // namespace interface_test
 }  // namespace dspm::test

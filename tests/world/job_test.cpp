@@ -8,7 +8,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm {
-namespace {
+namespace job_test {
 
 const std::string kWorld = "WorldBegin LightSource \"point\" Shape \"sphere\"";
 
@@ -146,5 +146,5 @@ TEST(Job, TheResolutionIsChosen) {
   EXPECT_EQ(size_of(both), std::pair(10, 8)) << "a quarter of the chosen one";
 }
 
-}  // namespace
+}  // namespace job_test
 }  // namespace dspm

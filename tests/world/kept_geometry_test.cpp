@@ -13,7 +13,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm::test {
-namespace {
+namespace kept_geometry_test {
 
 struct Loaded {
   Loaded(const TemporaryDirectory& folder, const std::string& shapes, KeptGeometry* kept)
@@ -136,5 +136,5 @@ TEST_F(Kept, ATreeIsThatOfTheSameShapesAtTheSamePlaces) {
   }
 }
 
-}  // namespace
+}  // namespace kept_geometry_test
 }  // namespace dspm::test

@@ -7,7 +7,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace light_choice_test {
 
 const double kPiD = std::acos(-1.);
 
@@ -162,5 +162,5 @@ VariationBegin "night" Light "key" "float scale" 0 VariationEnd
   EXPECT_NEAR(static_cast<double>(scene->lights[1].probability), 1 / (key + 1), 1e-6);
 }
 
-}  // namespace
+}  // namespace light_choice_test
 }  // namespace dspm::test

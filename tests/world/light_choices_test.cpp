@@ -9,7 +9,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace light_choices_test {
 
 constexpr const char* kBegin = "Camera \"perspective\"\nWorldBegin\n";
 constexpr const char* kThings = "Shape \"sphere\" \"float radius\" 0.1\n";
@@ -127,5 +127,5 @@ TEST(LightChoices, WorthIsThatOfTheVariance) {
   EXPECT_DOUBLE_EQ(worth_of_choice({0, 0}, {1, 0}), 1);
 }
 
-}  // namespace
+}  // namespace light_choices_test
 }  // namespace dspm::test

@@ -9,7 +9,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace material_light_test {
 
 /// What lies around the middle of the square z = 0, seen straight on, in each frame: the mean of all pixels.
 std::vector<Rgb> seen(const std::string& contents, int iterations = 1, const std::string& integrator = "\"path\"") {
@@ -190,5 +190,5 @@ TEST(MaterialLight, FaultsHaveAWayOut) {
             std::string::npos);
 }
 
-}  // namespace
+}  // namespace material_light_test
 }  // namespace dspm::test

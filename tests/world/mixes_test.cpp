@@ -8,7 +8,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace mixes_test {
 
 constexpr const char* kPaints = R"(
 MakeNamedMaterial "red" "string type" "diffuse" "rgb reflectance" [1 0 0]
@@ -197,5 +197,5 @@ TEST(Mix, DeepNestingIsAnError) {
   EXPECT_TRUE(contains(error_of(looks), "nested more than 64 deep"));
 }
 
-}  // namespace
+}  // namespace mixes_test
 }  // namespace dspm::test

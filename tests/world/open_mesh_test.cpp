@@ -4,7 +4,7 @@
 #include "dspm/session/load.h"
 
 namespace dspm::test {
-namespace {
+namespace open_mesh_test {
 
 /// What is said about two sides of a glass box, or three if the second disagrees about the outside.
 std::vector<std::string> warnings_of_mesh(const std::string& param, bool twisted = false) {
@@ -28,5 +28,5 @@ TEST(OpenMesh, IsWarnedOfUnlessItIsMeantToBe) {
   EXPECT_NE(warnings_of_mesh("\"bool open\" true", true).front().find("disagree about the outside"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace open_mesh_test
 }  // namespace dspm::test

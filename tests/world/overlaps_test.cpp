@@ -5,7 +5,7 @@
 #include "dspm/session/load.h"
 
 namespace dspm::test {
-namespace {
+namespace overlaps_test {
 
 std::vector<Diagnostic> messages_of(const std::string& contents) {
   static std::vector<std::unique_ptr<LoadedScene>> kept;  // places of messages point into them
@@ -116,5 +116,5 @@ TEST(Overlaps, PriorityOfWhatBoundsNoBodyIsWarnedOf) {
   EXPECT_NE(texts[0].find("bounds no body"), std::string::npos) << texts[0];
 }
 
-}  // namespace
+}  // namespace overlaps_test
 }  // namespace dspm::test

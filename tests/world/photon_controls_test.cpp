@@ -7,7 +7,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace photon_controls_test {
 
 constexpr const char* kFourFrames = "Frames 4\nCamera \"perspective\"\nWorldBegin\n";
 constexpr const char* kBalls = "Shape \"sphere\" \"float radius\" 0.1\n";
@@ -193,5 +193,5 @@ INSTANTIATE_TEST_SUITE_P(
                 "    4 | Shape \"sphere\" \"float caustics\" 1\n"
                 "      |                ^~~~~~~~~~~~~~~~\n"}));
 
-}  // namespace
+}  // namespace photon_controls_test
 }  // namespace dspm::test

@@ -6,7 +6,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm {
-namespace {
+namespace placement_test {
 
 using test::TestScene;
 
@@ -123,5 +123,5 @@ TEST(Placement, OnlySkiesAnswerRaysThatLeaveTheScene) {
   EXPECT_EQ(lamps.scene().infinite_lights, std::vector<int>{1});
 }
 
-}  // namespace
+}  // namespace placement_test
 }  // namespace dspm

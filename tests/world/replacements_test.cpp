@@ -12,7 +12,7 @@
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
-namespace {
+namespace replacements_test {
 
 struct Plain {
   std::string camera = R"(LookAt 0 .5 -4  0 .3 0  0 1 0 Camera "perspective" "float fov" 40)";
@@ -163,5 +163,5 @@ TEST(Replacements, ThatAreWrong) {
   expect(R"(Film "rgb")", "Film must come before WorldBegin");
 }
 
-}  // namespace
+}  // namespace replacements_test
 }  // namespace dspm::test

@@ -9,7 +9,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm::test {
-namespace {
+namespace sequences_test {
 
 constexpr const char* kPlyHead =
     "ply\nformat ascii 1.0\nelement vertex {0}\nproperty float x\nproperty float y\nproperty float z\n"
@@ -148,5 +148,5 @@ TEST_F(Extents, OfLightsAllFilesAreRead) {
   EXPECT_EQ(sampling({Moment(2)}, extent, light), sampling({Moment(2)}, "", light));
 }
 
-}  // namespace
+}  // namespace sequences_test
 }  // namespace dspm::test

@@ -4,7 +4,7 @@
 #include "dspm/session/load.h"
 
 namespace dspm::test {
-namespace {
+namespace shape_messages_test {
 
 TEST(ShapeMessages, ComeInTheOrderOfTheScene) {
   std::string scene = "WorldBegin LightSource \"infinite\"\n";
@@ -27,5 +27,5 @@ TEST(ShapeMessages, EndWithTheFirstStateThatIsWrong) {
   EXPECT_EQ(diagnostics.error_count(), 1);
 }
 
-}  // namespace
+}  // namespace shape_messages_test
 }  // namespace dspm::test

@@ -6,7 +6,7 @@
 #include "dspm/world/world.h"
 
 namespace dspm {
-namespace {
+namespace sharing_test {
 
 using test::TestScene;
 
@@ -152,5 +152,5 @@ TEST(World, ScenesOfIntervalsAgreeInWhatSamplingDerives) {
   for (const PlacedShape& shape : some->shapes) EXPECT_FALSE((shape.frames & some->frames()).empty());
 }
 
-}  // namespace
+}  // namespace sharing_test
 }  // namespace dspm

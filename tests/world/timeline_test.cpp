@@ -11,7 +11,7 @@
 #include "dspm/world/objects/likeness.h"
 
 namespace dspm {
-namespace {
+namespace timeline_test {
 
 TEST(Timeline, ThousandsOfStatesAreHardlyCompared) {
   constexpr int kFrames = 10'000, kReturn = 5'000;  // the second half repeats the first one
@@ -72,5 +72,5 @@ TEST(FrameRanges, AThingThatMovesTakesOneInEachPlace) {
   EXPECT_EQ(passing.range_count(), 1u);
 }
 
-}  // namespace
+}  // namespace timeline_test
 }  // namespace dspm

@@ -15,7 +15,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm {
-namespace {
+namespace variations_test {
 
 using test::TestScene;
 
@@ -253,5 +253,5 @@ TEST(Looks, OfAFileThatVanishesMeanwhileAreAnError) {
   EXPECT_NO_THROW(test->scene({FileFrame(8)}));
 }
 
-}  // namespace
+}  // namespace variations_test
 }  // namespace dspm
