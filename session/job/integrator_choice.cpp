@@ -26,6 +26,15 @@ bool knows(const std::vector<ParamInfo>& described, std::string_view name) {
   return std::any_of(described.begin(), described.end(), [&](const ParamInfo& info) { return info.name == name; });
 }
 
+/// Integrators may mean different things by a name: "indirect" is a choice of dsppm and a switch of path.
+bool takes(const std::vector<ParamInfo>& described, const Param& param) {
+  const std::string_view name = param.name == kPhotonsAlias ? "photons" : std::string_view(param.name);
+  return std::any_of(described.begin(), described.end(), [&](const ParamInfo& info) {
+    const auto is = [&](ParamType type) { return info.type.find(word_of(type)) != info.type.npos; };
+    return info.name == name && (is(param.type) || (param.type == ParamType::integer && is(ParamType::number)));
+  });
+}
+
 void set_integer(ParamList& list, std::string_view name, int value) {
   std::erase_if(list.params, [&](const Param& param) { return param.name == name; });
   Param param;
@@ -65,7 +74,7 @@ const IntegratorPlugin* find_by_directive(const PluginUse& use, Diagnostics& dia
 void keep_known(ParamList& list, const PluginUse& use, const Plugin<MakeIntegrator>& plugin,
                 const std::vector<ParamInfo>& described, Diagnostics& diagnostics) {
   std::erase_if(list.params, [&](const Param& param) {
-    if (knows(described, param.name)) return false;
+    if (takes(described, param)) return false;
     diagnostics.note(param.where, fmt::format("\"{}\" of integrator \"{}\" has no effect: \"{}\" renders", param.name,
                                               use.type, plugin.name));
     return true;

@@ -218,6 +218,15 @@ TEST(CommandLine, PhotonsThatNobodyEmitsAreANote) {
       << outcome.err;
 }
 
+// dsppm's "indirect" is a text, and path's a switch.
+TEST(CommandLine, ParametersThatAnotherIntegratorTakesOtherwiseAreANote) {
+  const TinyDirectory directory;
+  const Outcome outcome = run(directory, {"tiny.dsc", "--integrator", "path"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.err.find("\"indirect\" of integrator \"dsppm\" has no effect: \"path\" renders"), outcome.err.npos)
+      << outcome.err;
+}
+
 TEST(CommandLine, AllErrorsOfASceneComeInOneGo) {
   const TinyDirectory directory;
   std::string scene = tiny_scene("\"float fov\"", "\"float fow\"");

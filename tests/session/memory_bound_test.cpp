@@ -26,7 +26,7 @@ class Directory : public TemporaryDirectory {
     const auto replace = [&](const std::string& from, const std::string& to) {
       scene.replace(scene.find(from), from.size(), to);
     };
-    replace(R"("dsppm")", integrator);
+    replace(R"("dsppm" "string indirect" "photons")", integrator);
     replace(R"("integer photons" 200)", R"("integer photons" 50000)");
     replace("12 \"integer yresolution\" 8", "192 \"integer yresolution\" 144");
     put_file(*this / "tiny.dsc", scene);
@@ -98,7 +98,8 @@ TEST_P(MemoryBound, IsKeptAndChangesNoImage) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Integrators, MemoryBound,
-                         ::testing::Values(R"("dsppm")", R"("dsppm" "string estimator" "hj09")",
+                         ::testing::Values(R"("dsppm" "string indirect" "photons")",
+                                           R"("dsppm" "string estimator" "hj09")",
                                            R"("sppm" "string estimator" "hj09")",
                                            R"("photonmap" "integer causticphotons" 50000)",
                                            R"("photonmap" "integer causticphotons" 50000 "integer finalgather" 2)"));
