@@ -97,10 +97,10 @@ TEST(LightWays, FewPhotonsForCausticsKeepThePromises) {
 /// What the photons of few paths bring is worth as much as that of all.
 TEST(LightWays, FewPhotonsBringAllOfTheCaustic) {
   const std::string things = std::string(kSky) + kPoint + kGlassBall;
-  const Tiles few = rendered(open_ground(R"("dsppm" "integer maxdepth" 12 "float radius" .04)", things), 32, 16, 2);
-  const Tiles all =
-      rendered(open_ground(R"("dsppm" "integer maxdepth" 12 "float radius" .04 "string indirect" "photons")", things),
-               16, 16, 2);
+  const std::string settings = R"("dsppm" "integer photons" 40000 "integer maxdepth" 12 "float radius" .04)";
+  ASSERT_LT(report(open_ground(settings, things)).traced, 20000);
+  const Tiles few = rendered(open_ground(settings, things), 16, 16, 2);
+  const Tiles all = rendered(open_ground(settings + R"( "string indirect" "photons")", things), 8, 16, 2);
   const Verdict verdict = agreement(few, all, {0.01, 0.01});
   EXPECT_TRUE(verdict.passed) << verdict.message;
 }
