@@ -59,13 +59,14 @@ const char* found_in_words(const EmissionReport& report) {
                                        : "are found by hit points";
 }
 
+constexpr const char* kBringCaustics = "bring caustics, and camera paths find all other light";
+
 /// Says who brings which light.
 std::string shares_of(const EmissionReport& report) {
   switch (report.bring) {
     case PhotonsBring::all: break;
     case PhotonsBring::caustics:
-      return fmt::format("{}: {} paths an iteration bring caustics, and camera paths find all other light",
-                         report.photons, report.traced);
+      return fmt::format("{}: {} paths an iteration {}", report.photons, report.traced, kBringCaustics);
     case PhotonsBring::nothing:
       return fmt::format("{}: none are traced, as camera paths find all light", report.photons);
   }
@@ -143,7 +144,7 @@ std::string summary_of(const EmissionReport& report) {
   if (report.start == EmissionReport::Start::guided)
     text += fmt::format(", {} without a guide", percent(ratio(report.found_without, report.paths)));
   if (report.bring == PhotonsBring::caustics)
-    text += fmt::format("; {} an iteration bring caustics, and camera paths find all other light", report.traced);
+    text += fmt::format("; {} an iteration {}", report.traced, kBringCaustics);
   else if (report.traced > 0)
     text += fmt::format("; {} are traced an iteration", report.traced);
   if (report.lights.size() < 2) return text;

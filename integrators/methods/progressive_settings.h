@@ -11,12 +11,12 @@
 namespace dspm {
 
 struct ProgressiveSettings {
-  int iterations = 256;  // 0: until stopped
-  int photons = 300000;  // paths per iteration, in each frame
+  int iterations = 256;     // 0: until stopped
+  int photons = 300000;     // paths per iteration, in each frame
   std::int64_t traced = 0;  // of these; the others are made up for by their flux, or bring nothing
   float alpha = 0.7f;
-  bool kz11 = true;       // the estimator; else hj09
-  bool guided = true;     // photons start where they are found; else by the lights' power
+  bool kz11 = true;        // the estimator; else hj09
+  bool guided = true;      // photons start where they are found; else by the lights' power
   bool may_choose = true;  // how much of the light photons bring, by what pays
   PhotonSettings photon;
   HitPointSettings hit_point;

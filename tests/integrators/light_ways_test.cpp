@@ -94,7 +94,7 @@ TEST(LightWays, FewPhotonsForCausticsKeepThePromises) {
     EXPECT_TRUE(verdict.passed) << verdict.message;
 }
 
-/// What the photons of few paths bring is worth as much as that of all.
+/// Few photons bring as much light as many do.
 TEST(LightWays, FewPhotonsBringAllOfTheCaustic) {
   const std::string things = std::string(kSky) + kPoint + kGlassBall;
   const std::string settings = R"("dsppm" "integer photons" 40000 "integer maxdepth" 12 "float radius" .04)";
