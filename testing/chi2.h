@@ -64,19 +64,8 @@ class SphereChi2 {
   template <class Sample, class Pdf>
   Chi2Result run(const Sample& sample, const Pdf& pdf) {
     for (int n = 0; n < settings_.samples; ++n) count(sample());
-    std::vector<Cell> cells;
-    Chi2Result result;
-    for (int row = 0; row < settings_.rows; ++row)
-      for (int column = 0; column < settings_.columns; ++column) {
-        const int observed = observed_[static_cast<std::size_t>(row * settings_.columns + column)];
-        double share = cell_integral(pdf, row, column, kLeastDepth);
-        if (is_unlikely(observed, share)) share = cell_integral(pdf, row, column, kLeastDepthInDoubt);
-        result.integral += share;
-        cells.push_back({settings_.samples * share, observed, row, column});
-      }
-    cells.push_back({settings_.samples * std::max(0., 1 - result.integral), absorbed_, -1, 0});
-    judge(std::move(cells), result);
-    return result;
+    const Chi2Result result = compared(pdf, kLeastDepth);
+    return result.passed && result.integral < 1.001 ? result : compared(pdf, kLeastDepthInDoubt);
   }
 
  private:
@@ -97,12 +86,29 @@ class SphereChi2 {
     ++observed_[static_cast<std::size_t>(row * settings_.columns + column)];
   }
 
-  // A horizon may cut a sharp lobe between the points of a coarse quadrature, so what samples contradict is integrated
-  // anew, more finely.
+  // A horizon may cut a sharp lobe between the points of a coarse quadrature, so what samples contradict, in a cell or
+  // in all, is integrated anew, more finely; and so is what exceeds 1.
   static constexpr int kLeastDepth = 0, kLeastDepthInDoubt = 5;
   bool is_unlikely(int observed, double share) const {
     const double expected = settings_.samples * share;
     return std::abs(observed - expected) > 3 * std::sqrt(expected + 1);
+  }
+
+  template <class Pdf>
+  Chi2Result compared(const Pdf& pdf, int least_depth) const {
+    std::vector<Cell> cells;
+    Chi2Result result;
+    for (int row = 0; row < settings_.rows; ++row)
+      for (int column = 0; column < settings_.columns; ++column) {
+        const int observed = observed_[static_cast<std::size_t>(row * settings_.columns + column)];
+        double share = cell_integral(pdf, row, column, least_depth);
+        if (is_unlikely(observed, share)) share = cell_integral(pdf, row, column, kLeastDepthInDoubt);
+        result.integral += share;
+        cells.push_back({settings_.samples * share, observed, row, column});
+      }
+    cells.push_back({settings_.samples * std::max(0., 1 - result.integral), absorbed_, -1, 0});
+    judge(std::move(cells), result);
+    return result;
   }
 
   template <class Pdf>
@@ -127,7 +133,7 @@ class SphereChi2 {
   }
   template <class Pdf>
   double midpoints(const Pdf& pdf, double v0, double phi0, double dv, double dphi) const {
-    constexpr int kSteps = 4;
+    constexpr int kSteps = 3;
     double x[kSteps], y[kSteps], sum = 0;
     for (int i = 0; i < kSteps; ++i) {
       const double angle = 2 * kPiD * (phi0 + dphi * (i + 0.5) / kSteps - 0.5);

@@ -122,10 +122,10 @@ std::shared_ptr<const Material> material_of(const std::string& words) {
   return made->materials[static_cast<std::size_t>(made->shapes[0].material)].states[0].object;
 }
 
-Verdict samples_follow_density(const Material& material, double level, std::uint64_t seed) {
+Verdict samples_follow_density(const Material& material, double level, std::uint64_t seed, int samples) {
   const std::vector<DensityCase> cases = density_cases(material);
   Chi2Settings settings;
-  settings.samples = 40'000;
+  settings.samples = samples;
   settings.level = level;
   settings.tests = static_cast<int>(cases.size());
   Verdict verdict;

@@ -19,9 +19,10 @@ namespace dspm::test {
 /// mistake in them.
 std::shared_ptr<const Material> material_of(const std::string& words);
 
-/// Tests samples against pdf_w by chi-square, for radiance and, on the bent surface, for flux. The chance that a
-/// correct material fails any of them is `level`.
-Verdict samples_follow_density(const Material& material, double level = 0.01, std::uint64_t seed = 1);
+/// Tests `samples` of each case against pdf_w by chi-square, for radiance and, on the bent surface, for flux. The chance
+/// that a correct material fails any of them is `level`.
+Verdict samples_follow_density(const Material& material, double level = 0.01, std::uint64_t seed = 1,
+                               int samples = 40'000);
 /// Checks that sample's weight is f |cos| / pdf_w, by evaluate and pdf_w.
 Verdict weights_agree(const Material& material);
 /// Checks that f is finite, not negative, sampled wherever it is not 0, and 0 where the normals disagree about light's

@@ -3,6 +3,7 @@
 
 #include "dspm/testing/scattering.h"
 #include "tests/materials/materials.h"
+#include "tests/support/seeds.h"
 
 namespace dspm::test {
 namespace {
@@ -11,7 +12,8 @@ TEST(Sampling, FollowsTheDensity) {
   std::uint64_t seed = 1;
   const std::vector<Named> all = all_materials();
   for (const Named& each : all) {
-    const Verdict verdict = samples_follow_density(*each.material, 0.01 / static_cast<double>(all.size()), seed);
+    const Verdict verdict =
+        samples_follow_density(*each.material, 0.01 / static_cast<double>(all.size()), seed, seeds(10'000));
     EXPECT_TRUE(verdict.passed) << each.name << ": " << verdict.message;
     seed += 100;
   }
