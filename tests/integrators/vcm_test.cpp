@@ -127,11 +127,11 @@ constexpr int kQuarters = 2;
 class EveryWay : public testing::TestWithParam<Case> {};
 
 TEST_P(EveryWay, AgreesWithPathTracing) {
-  const Tiles path = rendered(scene_of(GetParam(), R"("path")"), 16, seeds(16), kQuarters);
+  const Tiles path = rendered(scene_of(GetParam(), R"("path")"), 8, seeds(16), kQuarters);
   for (const Way& way : kWays) {
     const std::string vcm = fmt::format(R"("vcm" "integer photons" 700 {})", way.parameters);
     const Verdict verdict =
-        agreement(rendered(scene_of(GetParam(), vcm), 8, seeds(16), kQuarters), path, {kLevel, way.bias});
+        agreement(rendered(scene_of(GetParam(), vcm), 4, seeds(16), kQuarters), path, {kLevel, way.bias});
     EXPECT_TRUE(verdict.passed) << way.parameters << ": " << verdict.message;
   }
 }
