@@ -13,7 +13,7 @@
 // | focaldistance    | 1e6           | distance of the plane of focus along z |
 // | frameaspectratio | the film's    | width over height of the screen |
 // | screenwindow     | shorter axis -1 to 1 | left, right, bottom, top, in camera space |
-// | shutteropen, shutterclose | 0, 1 | images are multiplied by the seconds between them; nothing moves meanwhile |
+// | shutteropen, shutterclose | 0, 0 | frames: what moves between them blurs; in .pbrt files seconds, 0 and 1 |
 //
 // [Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., 5.2]
 #include "dspm/base/math/ray.h"

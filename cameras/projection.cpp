@@ -29,14 +29,13 @@ void read_window(ParamReader& reader, Screen& screen) {
 
 }  // namespace
 
-// dspm renders moments: lang refuses transforms that move while the shutter is open, so the shutter only sets
-// Job::exposure.
+// lang/shutter.h says when iterations are, and Job::exposure how bright images are for it.
 void read_shutter(ParamReader& reader) {
-  reader.number("shutteropen", 0, "s",
-                "when the shutter opens; of .pbrt files, images are multiplied by the seconds until it closes");
-  reader.number(
-      "shutterclose", 1, "s",
-      "when it closes; of .pbrt files, and unless it is after shutteropen, images are multiplied by 1; nothing moves");
+  reader.number("shutteropen", 0, "frames",
+                "when the shutter opens, after the moment of each frame; in .pbrt files, in seconds, by which images "
+                "are multiplied until it closes");
+  reader.number("shutterclose", 0, "frames",
+                "when it closes; in .pbrt files 1 unless given: what moves until then blurs");
 }
 
 Ray ThinLens::through(const Ray& central, Vec2 u) const {

@@ -11,7 +11,7 @@
 // | focusdistance    | 10       | from the film to the plane that is sharp |
 // | aperture         | a circle | gaussian, square, pentagon, star, or a picture of what the stop lets through; as bright as the circle |
 // | simpleweighting  | false    | pbrt-v3's exposure: the middle of the film is as bright whatever the aperture |
-// | shutteropen, shutterclose | 0, 1 | images are multiplied by the seconds between them; nothing moves meanwhile |
+// | shutteropen, shutterclose | 0, 0 | frames: what moves between them blurs; in .pbrt files seconds, 0 and 1 |
 //
 // A pixel's value is the film's irradiance there, in pbrt-v4's way: an aperture of twice the diameter makes it four
 // times as bright ("iso" of the Film evens that out). Light that is traced towards the camera does not reach it.

@@ -7,7 +7,7 @@
 // | parameter | default   | meaning |
 // | --------- | --------- | ------- |
 // | mapping   | equalarea | equalarea: pbrt-v4's squares; equirectangular: latitude and longitude |
-// | shutteropen, shutterclose | 0, 1 | images are multiplied by the seconds between them; nothing moves meanwhile |
+// | shutteropen, shutterclose | 0, 0 | frames: what moves between them blurs; in .pbrt files seconds, 0 and 1 |
 //
 // lensradius, focaldistance, frameaspectratio and screenwindow have no effect, as in pbrt-v4.
 //

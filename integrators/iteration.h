@@ -1,6 +1,8 @@
 // An iteration of an integrator, as a value: whatever differs from one iteration to the next comes in here.
 #pragma once
 
+#include <optional>
+
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {
@@ -10,6 +12,9 @@ struct Iteration {
   /// The scene that the integrator was made for, or its state in this iteration, with the same frames, shapes, materials
   /// and lights. It lives as long as the iteration.
   const Scene& scene;
+  /// The time after each frame's moment that the scene shows, in frames; nullopt if the shutter is closed, and all
+  /// iterations have one scene.
+  std::optional<double> delay = std::nullopt;
 };
 
 }  // namespace dspm

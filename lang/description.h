@@ -186,7 +186,7 @@ auto replacement(const std::vector<VariationAxis>& axes, const std::vector<int>&
 enum class Dialect { pbrt, dsc };  // by the main file's name; standard input counts as dsc
 
 struct SceneDescription {
-  std::vector<std::unique_ptr<SourceFile>> files;  // the main file first; locations point into them
+  std::vector<std::shared_ptr<const SourceFile>> files;  // the main file first; locations point into them
   Dialect dialect = Dialect::dsc;
   /// Returns where to look for files that are not next to the file that names them.
   std::filesystem::path main_directory() const {

@@ -62,7 +62,10 @@ class FileFrames {
 
   /// Returns the index of the frame's moment, counted from the first.
   int moment_index(FileFrame f) const { return place(f).moment; }
-  Moment moment(FileFrame f) const { return Moment(first_moment_.frames() + moment_index(f)); }
+  /// Returns the moment that the frame shows, see after().
+  Moment moment(FileFrame f) const { return Moment(whole_moment(f).frames() + delay_); }
+  /// Returns the moment that the frame is named after.
+  Moment whole_moment(FileFrame f) const { return Moment(first_moment_.frames() + moment_index(f)); }
   std::size_t combination_of(FileFrame f) const { return static_cast<std::size_t>(place(f).combination); }
   /// Returns the frame with this combination_of() and moment_index().
   FileFrame frame(int combination, int moment) const {
@@ -77,14 +80,20 @@ class FileFrames {
   const std::string& variation(FileFrame f) const { return combinations_[combination_of(f)].name; }
   /// Returns "12", "oak-red" or "oak-red 12".
   std::string label(FileFrame f) const {
-    const std::string number = std::to_string(moment(f).number());
+    const std::string number = std::to_string(whole_moment(f).number());
     return variation(f).empty() ? number : moments_ == 1 ? variation(f) : variation(f) + " " + number;
   }
   /// Returns a file that has only this frame; its moment keeps its number.
   FileFrames only(FileFrame f) const {
     FileFrames one(1, {combinations_[combination_of(f)]});
-    one.first_moment_ = moment(f);
+    one.first_moment_ = whole_moment(f);
     return one;
+  }
+  /// Returns the same frames, each of which shows a moment so many frames after the one that it is named after.
+  FileFrames after(double delay) const {
+    FileFrames later = *this;
+    later.delay_ = delay;
+    return later;
   }
   /// Returns which of the axis's variations frame f has.
   int choice(FileFrame f, std::size_t axis) const { return combinations_[combination_of(f)].choices[axis]; }
@@ -101,6 +110,7 @@ class FileFrames {
   }
 
   Moment first_moment_;
+  double delay_ = 0;  // in frames
   int moments_;
   std::vector<Combination> combinations_;
   FramesPart base_;

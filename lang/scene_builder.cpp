@@ -77,7 +77,7 @@ void SceneBuilder::check_keys(const Directive& directive) {
 void SceneBuilder::check_key(Moment key, const SourceLocation& where) {
   if (!world_where_)
     keys_before_world_.emplace_back(key, where);
-  else if (!scene_.all_moments().contains(key))
+  else if (const auto all = scene_.all_moments(); !all.contains(key) && key != all.end)  // up to where a shutter closes
     diagnostics_.warning(where, fmt::format("this key for frame {} is out of range: the scene has {}", number_of(key),
                                             frames_in_words(scene_)));
 }

@@ -31,8 +31,8 @@ class SourceFiles {
   void start_again();
 
   /// Returns the files in the order in which they were loaded.
-  std::vector<std::unique_ptr<SourceFile>> take() { return std::move(files_); }
-  const std::vector<std::unique_ptr<SourceFile>>& all() const { return files_; }
+  std::vector<std::shared_ptr<const SourceFile>> take() { return std::move(files_); }
+  const std::vector<std::shared_ptr<const SourceFile>>& all() const { return files_; }
 
  private:
   struct Loaded {
@@ -41,7 +41,7 @@ class SourceFiles {
   };
 
   std::string main_name_;
-  std::vector<std::unique_ptr<SourceFile>> files_;
+  std::vector<std::shared_ptr<const SourceFile>> files_;
   std::map<std::string, Loaded> loaded_;      // by identity
   std::size_t read_once_ = 0, repeated_ = 0;  // bytes
 };

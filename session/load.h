@@ -24,6 +24,8 @@ struct LoadedScene {
 
   std::unique_ptr<const SceneDescription> description;  // locations in messages point into it
   Job job;
+  std::shared_ptr<KeptGeometry>
+      own_kept;  // what the worlds of an open shutter have in common, unless a caller keeps it
   std::unique_ptr<const World> world;
   std::vector<StepTime> steps = {{"reading the scene"}, {"making objects"}};
 

@@ -90,7 +90,8 @@ class MemoryBound::Trials {
 
   std::optional<Result> of(const FrameList& frames) {
     if (observer_.end_wanted()) throw std::runtime_error("interrupted before the first iteration");
-    const std::size_t before = bound_.held(), trees = world_.tree_bytes_at_most(frames);
+    const int scenes = job_.shutter.is_open() ? 2 : 1;  // that of an iteration, beside the stage's own
+    const std::size_t before = bound_.held(), trees = scenes * world_.tree_bytes_at_most(frames);
     if (before + trees > bound_.bytes_) {
       shortage_ = fmt::format("{}: scene and program {}, trees up to {}, and more", readable_bytes(before + trees),
                               readable_bytes(before), readable_bytes(trees));

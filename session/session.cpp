@@ -84,7 +84,7 @@ void Session::equip(Stage& stage, std::size_t index, FrameSet given_up) {
   stage.make_integrator(messages_, settings);
 }
 
-IntervalProgress Session::iterate_to_the_end(std::size_t index, const Stage& stage, int iterations, const Share& time) {
+IntervalProgress Session::iterate_to_the_end(std::size_t index, Stage& stage, int iterations, const Share& time) {
   Integrator& integrator = stage.integrator();
   IntervalProgress progress = observer_.interval_begins(index, integrator);
   progress.error = worst_error(integrator);
@@ -160,7 +160,7 @@ bool Session::can_copy(Integrator& integrator, std::size_t index) const {
   return share > 0 ? statistics.bytes + *copy <= share : *copy <= kSmall || 2 * *copy <= statistics.bytes;
 }
 
-void Session::iterate_cancellably(const IntervalProgress& before, const Stage& stage, double expected) const {
+void Session::iterate_cancellably(const IntervalProgress& before, Stage& stage, double expected) const {
   Integrator& integrator = stage.integrator();
   const Iteration iteration = stage.iteration(settings_.part.iteration(before.iterations));
   if (before.iterations == 0) {  // nothing can be lost
@@ -173,7 +173,7 @@ void Session::iterate_cancellably(const IntervalProgress& before, const Stage& s
   integrator.iterate(iteration);
 }
 
-bool Session::iterate(const IntervalProgress& before, const Stage& stage, double expected) {
+bool Session::iterate(const IntervalProgress& before, Stage& stage, double expected) {
   constexpr std::size_t kLibraries = 1 << 20;  // for OpenEXR and zlib
   const std::string step = fmt::format("iteration {}", before.iterations + 1);
   observer_.step_begins(step, integrator_);

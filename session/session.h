@@ -32,7 +32,7 @@ struct SessionSettings {
   /// Makes an integrator that other machines help, from an interval's integrator and another one like it: its
   /// iterate(i) does all iterations of a block of that size. The stage is the interval's; `all` is the number of
   /// iterations of the interval, 0 if it runs until stopped. If empty, the integrator iterates alone.
-  std::function<std::unique_ptr<Integrator>(std::size_t interval, const Stage& stage, std::unique_ptr<Integrator>,
+  std::function<std::unique_ptr<Integrator>(std::size_t interval, Stage& stage, std::unique_ptr<Integrator>,
                                             std::unique_ptr<Integrator>, int all)>
       share_out = {};
   int block = 1;
@@ -63,12 +63,12 @@ class Session {
   void render_interval(std::size_t index);
   /// Makes the integrator.
   void equip(Stage& stage, std::size_t index, FrameSet given_up);
-  IntervalProgress iterate_to_the_end(std::size_t index, const Stage& stage, int iterations, const Share& time);
+  IntervalProgress iterate_to_the_end(std::size_t index, Stage& stage, int iterations, const Share& time);
   /// Returns false if the iteration was cancelled. `expected` is the number of seconds that it may take.
-  bool iterate(const IntervalProgress& before, const Stage& stage, double expected);
+  bool iterate(const IntervalProgress& before, Stage& stage, double expected);
   /// Returns whether a copy of the integrator's state can be afforded.
   bool can_copy(Integrator& integrator, std::size_t index) const;
-  void iterate_cancellably(const IntervalProgress& before, const Stage& stage, double expected) const;
+  void iterate_cancellably(const IntervalProgress& before, Stage& stage, double expected) const;
   /// Warns of what went badly in the interval and, if an error is to be reached, says how large it is.
   void judge(const IntervalProgress& progress, const Integrator& integrator);
   void write(const IntervalProgress& progress, Integrator& integrator, SessionObserver::Images images);

@@ -60,7 +60,7 @@ std::unique_ptr<Integrator> with_error(const Job& job, const MakeWithin& make, c
 }  // namespace
 
 Stage::Stage(const Job& job, const World& world, FrameList frames)
-    : job_(job), frames_(std::move(frames)), scene_(world.scene(frames_)) {}
+    : job_(job), frames_(std::move(frames)), scene_(world.scene(frames_)), exposure_(job, world, *scene_) {}
 
 Integrator& Stage::make_integrator(Messages& messages, const StageSettings& settings) {
   integrator_.reset();

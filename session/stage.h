@@ -1,5 +1,6 @@
 // Where frames that are rendered together are rendered: their scene, the integrator that was made for it, and its
-// iterations. Whoever renders gets them from a stage, so whatever iterations are to differ in is decided here.
+// iterations, each at a time of the shutter. Whoever renders gets them from a stage, so whatever iterations are to differ
+// in is decided here.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +10,7 @@
 #include "dspm/base/math/frames.h"
 #include "dspm/base/params/errors.h"
 #include "dspm/integrators/integrator.h"
+#include "dspm/session/exposure.h"
 #include "dspm/session/frame_intervals.h"
 #include "dspm/session/job/job.h"
 #include "dspm/session/load.h"
@@ -43,13 +45,15 @@ class Stage {
   Integrator& make_integrator(Messages& messages, const StageSettings& settings = {});
   Integrator& integrator() const { return *integrator_; }
 
-  Iteration iteration(int number) const { return {number, *scene_}; }
+  /// Does what Exposure::iteration describes.
+  Iteration iteration(int number) { return exposure_.iteration(number); }
   void iterate(int number) { integrator_->iterate(iteration(number)); }
 
  private:
   const Job& job_;
   const FrameList frames_;
   const std::unique_ptr<const Scene> scene_;
+  Exposure exposure_;
   std::unique_ptr<Integrator> integrator_;
 };
 

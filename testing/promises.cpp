@@ -25,15 +25,11 @@ std::vector<Image> images_of(const Integrator& integrator, const Scene& scene) {
   return images;
 }
 
-void iterate(Integrator& integrator, const Scene& scene, int first, int end) {
-  for (int i = first; i < end; ++i) integrator.iterate({i, scene});
-}
-
 /// Runs `before` iterations on one integrator, the others on another one that takes over its state.
 Verdict check_resume(TestScene& test, const Scene& scene, int before, int iterations,
                      const std::vector<Image>& expected) {
   const auto first = test.integrator(scene), second = test.integrator(scene);
-  iterate(*first, scene, 0, before);
+  test.iterate(*first, scene, 0, before);
   const std::string saved = state_of(*first);
   LoadedState state(saved);
   try {
@@ -42,7 +38,7 @@ Verdict check_resume(TestScene& test, const Scene& scene, int before, int iterat
     return {false, fmt::format("its state after iteration {} cannot be loaded: {}", before, error.what())};
   }
   if (!state.all_read()) return {false, "persist() loads less than it saves"};
-  iterate(*second, scene, before, iterations);
+  test.iterate(*second, scene, before, iterations);
   if (images_of(*second, scene) != expected)
     return {false, fmt::format("resumed after iteration {}, it gives different bits", before)};
   return {};
@@ -79,7 +75,7 @@ Verdict check_resume(const std::string& scene, int iterations) {
   for (const std::vector<FileFrame>& frames : test.intervals()) {
     const auto interval = test.scene(frames);
     const auto calm = test.integrator(*interval);
-    iterate(*calm, *interval, 0, iterations);
+    test.iterate(*calm, *interval, 0, iterations);
     if (CountingStream size; !calm->persist(size))
       return {false, "persist() says that it does not support checkpoints"};
     const std::vector<Image> expected = images_of(*calm, *interval);

@@ -4,6 +4,7 @@
 
 #include "dspm/base/math/frames.h"
 #include "dspm/image/image.h"
+#include "dspm/session/exposure.h"
 #include "dspm/session/load.h"
 #include "dspm/session/stage.h"
 #include "dspm/world/scene/scene.h"
@@ -51,10 +52,15 @@ std::unique_ptr<Integrator> TestScene::integrator(const Scene& scene, const std:
   return made;
 }
 
+void TestScene::iterate(Integrator& integrator, const Scene& scene, int first, int end) const {
+  Exposure exposure(job(), world(), scene);
+  for (int i = first; i < end; ++i) integrator.iterate(exposure.iteration(i));
+}
+
 Image TestScene::render(FileFrame frame, int iterations, const std::string& name) {
   const auto alone = scene({frame});
   const auto made = integrator(*alone, name);
-  for (int i = 0; i < iterations; ++i) made->iterate({i, *alone});
+  iterate(*made, *alone, 0, iterations);
   return made->estimate(0);
 }
 
@@ -63,7 +69,7 @@ std::vector<Image> TestScene::render_all(int iterations) {
   for (const std::vector<FileFrame>& frames : intervals()) {
     const auto together = scene(frames);
     const auto made = integrator(*together);
-    for (int i = 0; i < iterations; ++i) made->iterate({i, *together});
+    iterate(*made, *together, 0, iterations);
     for (Frame frame = 0; frame < together->frame_count(); ++frame) images.push_back(made->estimate(frame));
   }
   return images;

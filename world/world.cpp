@@ -8,6 +8,7 @@
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/base/system/files_read.h"
+#include "dspm/lang/shutter.h"
 #include "dspm/lights/light_group.h"
 #include "dspm/world/bodies.h"
 #include "dspm/world/lighting/coverage.h"
@@ -110,9 +111,14 @@ std::size_t size_of_sample(const WorldOptions& options) {
 }
 
 struct World::Impl {
-  Impl(const SceneDescription& text, const WorldOptions& options, Diagnostics& diagnostics)
+  /// `sooner` is the world of the same frames at another time; null if there is none.
+  Impl(const SceneDescription& text, const WorldOptions& how, Diagnostics& diagnostics, const Impl* sooner = nullptr)
       : description(text),
-        looks(text, diagnostics),
+        options(how),
+        looks(text,
+              sooner != nullptr ? sooner->looks.images()
+                                : std::make_shared<ImageCache>(!text.options.disable_texture_filtering),
+              diagnostics),
         geometry(text, options.check_meshes, looks, options.kept, diagnostics),
         kept(options.kept),
         sample_size(size_of_sample(options)) {
@@ -125,14 +131,15 @@ struct World::Impl {
     sphere = sphere_around(geometry.bounds());
     lights = make_lights(text, geometry, looks, sphere, diagnostics);
     if (diagnostics.error_count() == 0) {
-      light_choices = make_light_choices(lights, text.frames.base().count(), text.frames.count());
+      light_choices = sooner != nullptr ? make_light_choices(lights, sooner->light_choices)
+                                        : make_light_choices(lights, text.frames.base().count(), text.frames.count());
       direct_light = make_light_samples(lights, light_choices);
       const auto is_rendered = [&](FileFrame f) {
         return options.rendered == nullptr || std::binary_search(options.rendered->begin(), options.rendered->end(), f);
       };
       expect_covered(text, is_rendered, geometry, sphere, lights, light_choices, diagnostics);
     }
-    if (diagnostics.error_count() == 0) read_frames(options);
+    if (diagnostics.error_count() == 0) read_frames();
     for (const WorldLight& light : lights) light_names.add(light.short_name);
     for (const WorldLight& light : lights)
       if (light.group != kOtherLights) light_groups.push_back(light.group);
@@ -150,7 +157,7 @@ struct World::Impl {
   }
 
   /// Reads the meshes of the frames of which scenes are made: those that are rendered, and those that stand for the file.
-  void read_frames(const WorldOptions& options) {
+  void read_frames() {
     std::vector<FileFrame> frames;
     if (options.rendered != nullptr)
       frames = *options.rendered;
@@ -227,7 +234,7 @@ struct World::Impl {
       ParamReader reader = accel_reader(ignored);
       return accel->make(reader, shapes, scene.frames());
     };
-    if (kept == nullptr || !scene.cutouts.empty()) return make(scene.shapes);
+    if (kept == nullptr || own_description != nullptr || !scene.cutouts.empty()) return make(scene.shapes);
     ContentKey which(accel->name);
     add(which, accel_params);
     std::vector<std::shared_ptr<const Shape>> owners;
@@ -235,7 +242,9 @@ struct World::Impl {
     return kept->tree(which, scene.shapes, std::move(owners), scene.frames(), make);
   }
 
+  std::unique_ptr<const SceneDescription> own_description;  // null: the caller's
   const SceneDescription& description;
+  const WorldOptions options;
   Looks looks;
   Geometry geometry;
   KeptGeometry* kept;
@@ -253,7 +262,20 @@ struct World::Impl {
 
 World::World(const SceneDescription& description, const WorldOptions& options, Diagnostics& diagnostics)
     : impl_(std::make_unique<Impl>(description, options, diagnostics)) {}
+World::World(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 World::~World() = default;
+
+std::unique_ptr<World> World::after(double delay) const {
+  WorldOptions options = impl_->options;
+  options.check_meshes = false;
+  auto text = std::make_unique<const SceneDescription>(dspm::after(impl_->description, delay));
+  Diagnostics diagnostics(true);
+  auto later = std::make_unique<Impl>(*text, options, diagnostics, impl_.get());
+  diagnostics.throw_if_errors();
+  later->own_description = std::move(text);
+  if (options.kept != nullptr) options.kept->scene_is_loaded();
+  return std::unique_ptr<World>(new World(std::move(later)));
+}
 
 std::string World::sampling() const {
   std::string bytes;

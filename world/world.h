@@ -39,6 +39,10 @@ class World {
   World(const SceneDescription& description, const WorldOptions& options, Diagnostics& diagnostics);
   ~World();
 
+  /// Makes the world at a time after the moment of each frame, in frames; it shares what this one keeps, and frames
+  /// choose lights with those that they choose with here. This one must outlive it. Throws SceneError.
+  std::unique_ptr<World> after(double delay) const;
+
   int frame_count() const;
   /// Makes the scene of these frames of the file: ascending, at most kMaxFrames. The world must outlive its scenes. All
   /// scenes of a world agree on what sampling derives from the scene (light probabilities, bounding sphere).
@@ -59,6 +63,7 @@ class World {
 
  private:
   struct Impl;
+  explicit World(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
 

@@ -44,6 +44,13 @@ void add_scene_options(CLI::App& app, Options& o) {
   app.add_option("--integrator", o.integrator,
                  "dsppm, sppm, photonmap, path, vcm or ambientocclusion, whatever the scene says")
       ->type_name("NAME");
+  CLI::Option* const shutter = app.add_option_function<double>(
+      "--shutter", [&o](double frames) { o.shutter = frames; },
+      "blur what moves within so many frames after each, whatever the camera says; 0.5: half of the time to the next");
+  shutter->check(CLI::Range(0., 1000.).description(""))->type_name("FRAMES");
+  app.add_flag_callback(
+         "--no-blur", [&o] { o.shutter = 0; }, "show one moment a frame, whatever the camera says")
+      ->excludes(shutter);
   app.add_option("--accel", o.accel, "the tree for ray queries: two-level, or bruteforce for tests")->type_name("NAME");
 }
 

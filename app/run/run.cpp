@@ -89,7 +89,7 @@ SessionSettings Render::session_settings() const {
   settings.part = options_.part, settings.places = begun_;
   if (leader_ == nullptr) return settings;
   settings.block = options_.block.value_or(4);
-  settings.share_out = [this, block = settings.block](std::size_t i, const Stage& stage,
+  settings.share_out = [this, block = settings.block](std::size_t i, Stage& stage,
                                                       std::unique_ptr<Integrator> sum, std::unique_ptr<Integrator> own,
                                                       int all) {
     expect_parts(loaded_.job, *sum, "mpirun");

@@ -10,7 +10,7 @@
 namespace dspm {
 
 /// The purpose of the numbers; streams are independent of each other.
-enum class Stream : std::uint64_t { camera, photon, caustic_photon, final_gather, setup, pilot };
+enum class Stream : std::uint64_t { camera, photon, caustic_photon, final_gather, setup, pilot, shutter };
 
 /// A bijection on 64 bits in which every output bit depends on every input bit. [Steele et al. 2014, SplitMix64;
 /// Stafford's variant 13 of the murmur3 finaliser]

@@ -32,7 +32,7 @@ class ShadowCatcher final : public WrappingIntegrator {
   void iterate(const Iteration& iteration) override {
     inner_->iterate(iteration);
     const StepTimer timer(step_);
-    without_->iterate({iteration.number, *iteration.scene.without_objects});
+    without_->iterate({iteration.number, *iteration.scene.without_objects, iteration.delay});
   }
 
   std::vector<OutputInfo> outputs() const override {

@@ -1,7 +1,7 @@
 // Integrator "photonmap" "integer photons" 1000000 "integer causticphotons" 1000000 "integer nearest" 100
 //
 // Two-pass photon mapping [Jensen 1996] for all frames together: a map of caustic photons (light, smooth lobes, rough
-// lobe) and a global one are made once; every iteration then traces one more camera path per pixel, with direct light
+// lobe) and a global one are made once, or for each iteration while the shutter is open; every iteration then traces one more camera path per pixel, with direct light
 // by shadow rays, caustics from their map, and the rest from the global map, by default at the hit point itself, or
 // through final gather rays, which scatter at most four times off smooth lobes. Biased: the maps' blur remains.
 // Parameters: see make_photonmap below.
@@ -138,7 +138,8 @@ class PhotonMapper final : public SummingIntegrator {
   void iterate(const Iteration& iteration) override {
     const auto number = static_cast<std::uint64_t>(iteration.number);
     done_.advance([&](SeenLightSums& sums, Statistics& statistics) {
-      if (!has_maps_) make_maps(iteration.scene, statistics);
+      // Maps show one time of the shutter, so while it is open each iteration has maps of its own.
+      if (!has_maps_ || iteration.delay) make_maps(iteration.scene, iteration.delay ? number : 0, statistics);
       trace_camera_paths(iteration.scene, number, statistics);
       gather_tiles(iteration.scene, number, sums, statistics);
     });
@@ -161,10 +162,10 @@ class PhotonMapper final : public SummingIntegrator {
     PathCounts paths;
   };
 
-  void make_maps(const Scene& scene, Statistics& statistics) {
+  void make_maps(const Scene& scene, std::uint64_t iteration, Statistics& statistics) {
     const StepTimer timer(statistics.steps[kPhotonMaps]);
     const auto trace = [&](const GuidedPhotons& how, int photons) {
-      auto traces = trace_photons(scene, how.settings, 0, 0, photons, {});
+      auto traces = trace_photons(scene, how.settings, iteration, 0, photons, {});
       if (statistics.iterations == 0) account(traces, statistics);  // else the same maps are only rebuilt
       return traces;
     };

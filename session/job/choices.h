@@ -54,7 +54,8 @@ struct Choices {
   bool only_new = false;                             // of the chosen frames, those that it has not rendered
   std::optional<std::array<double, 4>> crop_window;  // x0, x1, y0, y1 as fractions of the image
   std::optional<std::array<int, 4>> pixel_bounds;    // x0, x1, y0, y1 in pixels
-  std::optional<std::array<double, 9>> look_at;      // eye, target, up: where the camera stands in all frames
+  std::optional<double> shutter;  // frames for which it is open; 0: nothing blurs; none: as the camera says
+  std::optional<std::array<double, 9>> look_at;  // eye, target, up: where the camera stands in all frames
 };
 
 }  // namespace dspm

@@ -112,28 +112,19 @@ float number_of(const ParamList& list, std::string_view name, float fallback) {
   return values != nullptr && values->size() == 1 ? values->front() : fallback;
 }
 
-/// Refuses a shutter in dspm's language, in which it would ask for what moves while it is open; pbrt's also exposes the
-/// film.
-void refuse_shutter(const std::optional<CameraUse>& camera, Diagnostics& diagnostics) {
-  if (!camera) return;
-  for (const Param& param : camera->params.params)
-    if (param.name == "shutteropen" || param.name == "shutterclose")
-      return diagnostics.unsupported(param.where, "motion blur (a shutter that stays open) is not supported yet",
-                                     "with --lenient, the shutter has no effect: each frame shows one moment");
-}
-
-/// Returns the seconds from shutteropen to shutterclose.
-float shutter_seconds(const SceneDescription& description, Diagnostics& diagnostics) {
-  if (description.dialect == Dialect::dsc) {
-    refuse_shutter(description.camera, diagnostics);
-    for (const VariationAxis& axis : description.axes)
-      for (const Variation& variation : axis.variations) refuse_shutter(variation.camera, diagnostics);
-    return 1;
-  }
-  if (!description.camera) return 1;
+/// Returns the seconds for which pbrt's film is exposed; dspm's shutter, in frames, changes no brightness.
+float shutter_seconds(const SceneDescription& description) {
+  if (description.dialect == Dialect::dsc || !description.camera) return 1;
   const ParamList params = description.camera->params.at(Moment());
   const float seconds = number_of(params, "shutterclose", 1) - number_of(params, "shutteropen", 0);
   return seconds > 0 ? seconds : 1;
+}
+
+/// Returns the command line's shutter, else the camera's; a closed one if nothing moves.
+Shutter shutter_of(const SceneDescription& description, const Choices& choices, Diagnostics& diagnostics) {
+  const Shutter of_camera = shutter_of(description, diagnostics);
+  const Shutter wanted = choices.shutter ? Shutter{0, *choices.shutter} : of_camera;
+  return moves(description) ? wanted : Shutter{};
 }
 
 /// Returns the command line's accelerator, else the scene's if dspm has it; pbrt's trees change nothing in the image.
@@ -209,7 +200,8 @@ Job make_job(const SceneDescription& description, const Choices& choices, Diagno
   job.fps = description.fps.value_or(0);
   job.film = make_film(description, choices, diagnostics);
   job.film.transparent |= choices.transparent || asks_for_shadow_catchers(description);
-  job.exposure = imaging_ratio(job.film, shutter_seconds(description, diagnostics));
+  job.exposure = imaging_ratio(job.film, shutter_seconds(description));
+  job.shutter = shutter_of(description, choices, diagnostics);
 
   IntegratorChoice choice = choose_integrator(description, choices, diagnostics);
   job.plugin = choice.plugin;

@@ -15,7 +15,7 @@ namespace dspm {
 
 class Leader::SharedIterations final : public WrappingIntegrator {
  public:
-  SharedIterations(std::unique_ptr<Integrator> sum, std::unique_ptr<Integrator> own, const Stage& stage, Leader& leader,
+  SharedIterations(std::unique_ptr<Integrator> sum, std::unique_ptr<Integrator> own, Stage& stage, Leader& leader,
                    const Extent& extent)
       : WrappingIntegrator(std::move(sum)),
         stage_(stage),
@@ -105,7 +105,7 @@ class Leader::SharedIterations final : public WrappingIntegrator {
     leader_.look_for_silence();
   }
 
-  const Stage& stage_;
+  Stage& stage_;
   Leader& leader_;
   Extent extent_;
   int next_ = -1;  // the iteration with which the next block begins
@@ -154,7 +154,7 @@ void Leader::begin_anew(const std::optional<std::array<double, 9>>& look_at) {
 }
 
 std::unique_ptr<Integrator> Leader::share_out(std::unique_ptr<Integrator> sum, std::unique_ptr<Integrator> own,
-                                              const Stage& stage, std::size_t memory, const Extent& extent) {
+                                              Stage& stage, std::size_t memory, const Extent& extent) {
   const std::lock_guard lock(mutex_);
   ++order_.interval, order_.frames = stage.frames(), order_.memory = memory;
   asked_.clear();

@@ -66,7 +66,7 @@ class Leader {
   /// RenderSettings::learn_at_once, or each block would learn anew. `memory` is the number of bytes that each machine's
   /// integrator may hold; 0 means that there is no bound.
   std::unique_ptr<Integrator> share_out(std::unique_ptr<Integrator> sum, std::unique_ptr<Integrator> own,
-                                        const Stage& stage, std::size_t memory, const Extent& extent);
+                                        Stage& stage, std::size_t memory, const Extent& extent);
 
   int machines() const { return link_.machines(); }
   /// The bytes that went between the machines so far.

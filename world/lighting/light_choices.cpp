@@ -129,6 +129,16 @@ LightChoices make_light_choices(const std::vector<WorldLight>& lights, int base,
   return choices;
 }
 
+LightChoices make_light_choices(const std::vector<WorldLight>& lights, const LightChoices& others) {
+  std::vector<Kind> kinds;
+  for (FileFrame f(0); f.slot() < others.base; ++f)
+    kinds.push_back({weights_in(lights, f), 1, static_cast<std::size_t>(others.of_frame[f.slot()])});
+  LightChoices choices = others;
+  for (std::size_t c = 0; c < choices.probabilities.size(); ++c)
+    choices.probabilities[c] = mean_of(kinds, c, lights.size());
+  return choices;
+}
+
 std::vector<LightChoice> LightChoices::in(const std::vector<FileFrame>& frames) const {
   std::vector<LightChoice> choices;
   for (std::size_t c = 0; c < probabilities.size(); ++c) {

@@ -32,6 +32,9 @@ struct LightChoices {
 /// Makes at most kMostChoices choices. The first `base` frames decide; the others take the choice that suits them best.
 LightChoices make_light_choices(const std::vector<WorldLight>& lights, int base, int frames);
 
+/// Makes the choices of the same frames at another time: alike are those that are in `others`, which has the base.
+LightChoices make_light_choices(const std::vector<WorldLight>& lights, const LightChoices& others);
+
 /// Returns how samples of direct light are shared out, by choice: by the mean power over its frames of the base.
 std::vector<LightSamples> make_light_samples(const std::vector<WorldLight>& lights, const LightChoices& choices);
 

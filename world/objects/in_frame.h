@@ -14,7 +14,7 @@ namespace dspm {
 inline std::string in_frame(const FileFrames& frames, FileFrame f) {
   const std::string& variation = frames.variation(f);
   if (!variation.empty() && frames.moments() == 1) return fmt::format(" in variation \"{}\"", variation);
-  const std::string frame = fmt::format(" in frame {}", frames.moment(f).number());
+  const std::string frame = fmt::format(" in frame {}", frames.whole_moment(f).number());
   return variation.empty() ? frame : fmt::format("{} of variation \"{}\"", frame, variation);
 }
 

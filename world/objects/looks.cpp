@@ -70,8 +70,8 @@ int lookups_for(const Recipe& recipe) {
 
 }  // namespace
 
-Looks::Looks(const SceneDescription& description, Diagnostics& diagnostics)
-    : description_(description), diagnostics_(diagnostics), images_(!description.options.disable_texture_filtering) {
+Looks::Looks(const SceneDescription& description, std::shared_ptr<ImageCache> images, Diagnostics& diagnostics)
+    : description_(description), diagnostics_(diagnostics), images_(std::move(images)) {
   for (const TextureUse& use : description.textures) add_texture(use);
   for (std::size_t i = 0; i < description.materials.size(); ++i) {
     const MaterialUse& use = description.materials[i];

@@ -35,7 +35,8 @@ struct MaterialLight {
 
 class Looks {
  public:
-  Looks(const SceneDescription& description, Diagnostics& diagnostics);
+  /// `images` holds pictures of other looks of the same scene, and those of these.
+  Looks(const SceneDescription& description, std::shared_ptr<ImageCache> images, Diagnostics& diagnostics);
 
   /// Returns the index of the current material, or of pbrt's default if there is none; an unknown name is an error.
   int find(const MaterialRef& ref);
@@ -67,7 +68,8 @@ class Looks {
   std::vector<FrameStates<Material>> materials_in(const std::vector<FileFrame>& frames) const;
 
   /// The number of pictures in memory for textures.
-  int pictures_held() const { return images_.alive(); }
+  int pictures_held() const { return images_->alive(); }
+  const std::shared_ptr<ImageCache>& images() const { return images_; }
 
   int material_count() const { return static_cast<int>(materials_.size()); }
   /// The material's state in each frame of the file.
@@ -173,7 +175,7 @@ class Looks {
 
   const SceneDescription& description_;
   Diagnostics& diagnostics_;  // while the world is being made
-  mutable ImageCache images_;
+  std::shared_ptr<ImageCache> images_;
   TextureSet names_;  // of all textures so far, with something grey for each
   std::tuple<Textures<float>, Textures<Rgb>> textures_;
   std::deque<Look<FloatTexture>> numbers_;        // of parameters

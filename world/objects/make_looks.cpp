@@ -81,7 +81,7 @@ TexturePtr<T> Looks::make_texture_of(const Recipe& recipe, const TextureSet& tex
     report_singular(fmt::format("texture \"{}\"", use.type), "", use.where, diagnostics);
     return nullptr;
   }
-  return make_texture<T>(use.type, reader, {textures, is_placed ? Transform(recipe.placement) : Transform(), images_});
+  return make_texture<T>(use.type, reader, {textures, is_placed ? Transform(recipe.placement) : Transform(), *images_});
 }
 
 std::shared_ptr<const Material> Looks::make_material(const Recipe& recipe, const TextureSet& textures,
@@ -96,7 +96,7 @@ std::shared_ptr<const Material> Looks::make_material(const Recipe& recipe, const
                      diagnostics, description_.main_directory());
   const std::optional<int> priority = read_priority(reader);
   std::shared_ptr<const Relief> relief;
-  if (has_relief(plugin->name)) relief = read_relief(reader, {textures, Transform(), images_});
+  if (has_relief(plugin->name)) relief = read_relief(reader, {textures, Transform(), *images_});
   std::shared_ptr<Material> material = plugin->make(
       reader, MaterialContext{textures, made_materials(recipe, diagnostics), description_.dialect == Dialect::pbrt});
   if (material) material->set_relief(std::move(relief));

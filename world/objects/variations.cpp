@@ -75,7 +75,7 @@ std::vector<bool> presence(const SceneDescription& scene, int dynamic_block) {
   for (int b = dynamic_block; b >= 0; b = scene.dynamic_blocks[static_cast<std::size_t>(b)].outer) {
     const DynamicBlock& block = scene.dynamic_blocks[static_cast<std::size_t>(b)];
     for (FileFrame f(0); f.index() < frames.count(); ++f)
-      if (!block.moments.contains(frames.moment(f))) present[f.slot()] = false;
+      if (!block.moments.contains(frames.whole_moment(f))) present[f.slot()] = false;
     if (is_replaced_somewhere(scene, block.name))
       for (FileFrame f(0); f.index() < frames.count(); ++f)
         if (replacer(scene, block.name, f) != owner(scene, block)) present[f.slot()] = false;

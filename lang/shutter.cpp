@@ -1,0 +1,105 @@
+#include "dspm/lang/shutter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "dspm/base/params/params.h"
+
+namespace dspm {
+namespace {
+
+constexpr const char* kOpen = "shutteropen";
+constexpr const char* kClose = "shutterclose";
+constexpr double kLongest = 1000;  // frames
+
+bool is_keyed(const PluginUse& use) { return use.params.is_keyed(); }
+bool is_keyed(const LightScale& scale) { return scale.params.is_keyed(); }
+bool is_keyed(const TextureUse& use) { return use.params.is_keyed() || use.world_from_texture.is_keyed(); }
+bool is_keyed(const LightUse& use) { return use.params.is_keyed() || use.world_from_light.is_keyed(); }
+bool is_keyed(const ShapeUse& use) { return use.params.is_keyed() || use.world_from_object.is_keyed(); }
+bool is_keyed(const ObjectUse& use) { return use.world_from_instance.is_keyed(); }
+bool is_keyed(const CameraUse& use) { return use.params.is_keyed() || use.camera_from_world.is_keyed(); }
+
+template <class Uses>
+bool any_keyed(const Uses& uses) {
+  return std::any_of(uses.begin(), uses.end(), [](const auto& use) { return is_keyed(use); });
+}
+
+bool is_keyed(const Variation& variation) {
+  return any_keyed(variation.materials) || any_keyed(variation.textures) || any_keyed(variation.lights) ||
+         any_keyed(variation.light_sources) || any_keyed(variation.area_lights) ||
+         (variation.camera && is_keyed(*variation.camera));
+}
+
+/// Returns the number if the camera gives it; reports one that is out of range, or has keys.
+std::optional<double> number_of(const CameraUse& camera, const char* name, Diagnostics& diagnostics) {
+  const Param* const param = camera.params.find(name);
+  if (param == nullptr) return std::nullopt;
+  if (param->key) {
+    diagnostics.error(param->where, fmt::format("\"{}\" must be the same in all frames", name));
+    return std::nullopt;
+  }
+  if (param->type != ParamType::number && param->type != ParamType::integer)
+    return std::nullopt;  // the camera reports it
+  const std::vector<float> values = numbers_of(*param);
+  if (values.size() != 1) return std::nullopt;
+  const auto value = static_cast<double>(values.front());
+  if (std::abs(value) <= kLongest) return value;
+  diagnostics.error(param->values_where, fmt::format("\"{}\" must lie between {} and {}", name, -kLongest, kLongest));
+  return std::nullopt;
+}
+
+/// In variations, a camera may repeat the scene's shutter, not change it: frames of one iteration share its time.
+void expect_same(const CameraUse& camera, const Shutter& shutter, Diagnostics& diagnostics) {
+  for (const auto& [name, value] : {std::pair(kOpen, shutter.open), {kClose, shutter.close}})
+    if (const auto own = number_of(camera, name, diagnostics); own && *own != value)
+      diagnostics.error(camera.params.find(name)->where, "the shutter is the same for all variations");
+}
+
+}  // namespace
+
+Shutter shutter_of(const SceneDescription& scene, Diagnostics& diagnostics) {
+  const bool is_pbrt = scene.dialect == Dialect::pbrt;
+  const bool has_frames = scene.frames_where.file != nullptr;
+  Shutter shutter;
+  if (is_pbrt && !has_frames) shutter.close = 1;
+  if (!scene.camera) return shutter;
+  const CameraUse& camera = *scene.camera;
+  if (const auto open = number_of(camera, kOpen, diagnostics)) shutter.open = *open;
+  if (const auto close = number_of(camera, kClose, diagnostics))
+    shutter.close = *close;
+  else
+    shutter.close = std::max(shutter.close, shutter.open);
+  if (shutter.close < shutter.open && !is_pbrt) {
+    const Param* const param = camera.params.find(camera.params.find(kClose) != nullptr ? kClose : kOpen);
+    diagnostics.error(param->where,
+                      fmt::format("the shutter closes at {}, before it opens at {}", shutter.close, shutter.open));
+  }
+  for (const VariationAxis& axis : scene.axes)
+    for (const Variation& variation : axis.variations)
+      if (variation.camera) expect_same(*variation.camera, shutter, diagnostics);
+  return shutter;
+}
+
+bool moves(const SceneDescription& scene) {
+  const auto has_keyed_shapes = [](const ObjectDefinition& object) { return any_keyed(object.shapes); };
+  const auto varies = [](const VariationAxis& axis) {
+    return std::any_of(axis.variations.begin(), axis.variations.end(),
+                       [](const Variation& variation) { return is_keyed(variation); });
+  };
+  return (scene.camera && is_keyed(*scene.camera)) || any_keyed(scene.materials) || any_keyed(scene.textures) ||
+         any_keyed(scene.lights) || any_keyed(scene.area_lights) || any_keyed(scene.shapes) ||
+         any_keyed(scene.instances) || std::any_of(scene.objects.begin(), scene.objects.end(), has_keyed_shapes) ||
+         std::any_of(scene.axes.begin(), scene.axes.end(), varies);
+}
+
+SceneDescription after(const SceneDescription& scene, double delay) {
+  SceneDescription later = scene;
+  later.frames = scene.frames.after(delay);
+  return later;
+}
+
+}  // namespace dspm

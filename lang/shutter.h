@@ -1,0 +1,27 @@
+// The time for which each frame is exposed: what moves meanwhile is blurred.
+#pragma once
+
+#include "dspm/base/params/errors.h"
+#include "dspm/lang/description.h"
+
+namespace dspm {
+
+/// The shutter is open from `open` to `close`, in frames after the moment that a frame is named after. A file without
+/// frames has pbrt's seconds instead.
+struct Shutter {
+  double open = 0, close = 0;
+  bool is_open() const { return close > open; }
+  friend bool operator==(const Shutter&, const Shutter&) = default;
+};
+
+/// Returns the shutter of the scene's camera; reports one that cannot be. It stays closed if the camera does not say
+/// otherwise, but for scenes in pbrt's language, whose cameras have one from 0 to 1.
+Shutter shutter_of(const SceneDescription& scene, Diagnostics& diagnostics);
+
+/// Returns whether a time after its moment may show anything else in a frame: whether anything has keys.
+bool moves(const SceneDescription& scene);
+
+/// Returns the scene at a time after each frame's moment.
+SceneDescription after(const SceneDescription& scene, double delay);
+
+}  // namespace dspm

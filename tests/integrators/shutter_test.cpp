@@ -1,0 +1,263 @@
+// What moves while the shutter is open: images known by formula, and the mean of many sharp images.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "dspm/base/params/errors.h"
+#include "dspm/testing/agreement.h"
+#include "dspm/testing/promises.h"
+#include "dspm/testing/scenes.h"
+#include "dspm/testing/test_scene.h"
+#include "tests/integrators/box_scene.h"
+#include "tests/support/seeds.h"
+
+namespace dspm::test {
+namespace shutter_test {
+
+/// A picture of -4 <= x <= 4, -1 <= y <= 1, of `contents` that emit light.
+std::string flat(const std::string& camera, const std::string& contents, const std::string& filter = "\"box\"") {
+  return fmt::format(R"(
+Frames 2
+Integrator "path"
+PixelFilter {}
+Film "rgb" "integer xresolution" 32 "integer yresolution" 8
+LookAt 0 0 -5  0 0 0  0 1 0
+Camera "orthographic" "float screenwindow" [-4 4 -1 1] {}
+WorldBegin
+{}
+)",
+                     filter, camera, contents);
+}
+
+const char* const kSquare = R"(
+DynamicBegin "square"
+  Keyframe 1
+    Translate -2 0 0
+  Keyframe 2
+    Translate 2 0 0
+  KeyframeEnd
+  AreaLightSource "diffuse" "rgb L" [1 1 1] "bool twosided" true
+  Shape "bilinearmesh" "point3 P" [-.5 -2 0 .5 -2 0 -.5 2 0 .5 2 0]
+DynamicEnd
+)";
+
+/// Returns the share of the times from `open` to `close` at which the square covers x. Its centre is at -2 + 4 t.
+double covered(double x, double open, double close) {
+  const double begin = std::max(open, (x - 0.5 + 2) / 4), end = std::min(close, (x + 0.5 + 2) / 4);
+  return std::max(0., end - begin) / (close - open);
+}
+
+/// Returns the mean of fn over [low, high].
+template <class Fn>
+double mean(double low, double high, const Fn& fn) {
+  constexpr int kSteps = 400;
+  double sum = 0;
+  for (int i = 0; i < kSteps; ++i) sum += fn(low + (high - low) * (i + 0.5) / kSteps);
+  return sum / kSteps;
+}
+
+/// Returns the mean of a column, whose pixels see the same times at other places.
+double brightness(const Image& image, int x) {
+  double sum = 0;
+  for (int y = 0; y < image.height; ++y) sum += static_cast<double>(image.at(x, y).g);
+  return sum / image.height;
+}
+
+struct Times {
+  const char* camera;
+  double open, close;
+};
+
+TEST(Shutter, SquareThatCrossesTheFilm) {
+  for (const Times& times : {Times{R"("float shutterclose" 1)", 0, 1}, Times{R"("float shutterclose" 0.5)", 0, 0.5},
+                             Times{R"("float shutteropen" 0.25 "float shutterclose" 0.5)", 0.25, 0.5}}) {
+    const Image image = TestScene(flat(times.camera, kSquare)).render(FileFrame(0), 1024);
+    for (int x = 0; x < 32; ++x) {
+      const double left = -4 + x * 0.25;
+      const double expected = mean(left, left + 0.25, [&](double at) { return covered(at, times.open, times.close); });
+      EXPECT_NEAR(brightness(image, x), expected, 0.01) << times.camera << ", pixel " << x;
+    }
+  }
+}
+
+// A Gaussian of alpha 2 within 1.5 pixels, less its value there.
+TEST(Shutter, SquareThatCrossesAGaussianFilter) {
+  const Image image = TestScene(flat(R"("float shutterclose" 1)", kSquare, R"("gaussian")")).render(FileFrame(0), 1024);
+  for (int x = 2; x < 30; ++x) {
+    const double center = -4 + (x + 0.5) * 0.25, radius = 1.5 * 0.25;
+    double weights = 0, sum = 0;
+    mean(center - radius, center + radius, [&](double at) {
+      const double d = (at - center) / 0.25,
+                   weight = std::exp(-d * d / (2 * 0.5 * 0.5)) - std::exp(-1.5 * 1.5 / (2 * 0.5 * 0.5));
+      weights += weight, sum += weight * covered(at, 0, 1);
+      return 0;
+    });
+    EXPECT_NEAR(brightness(image, x), sum / weights, 0.01) << "pixel " << x;
+  }
+}
+
+TEST(Shutter, FrameAfterTheLastKeyStandsStill) {
+  const Image expected = TestScene(flat("", kSquare)).render(FileFrame(1), 16);
+  EXPECT_EQ(TestScene(flat(R"("float shutterclose" 1)", kSquare)).render(FileFrame(1), 16), expected);
+}
+
+TEST(Shutter, WheelOfManyTurnsIsADisk) {
+  const char* const wheel = R"(
+DynamicBegin "wheel"
+  Keyframe 1
+    Rotate 0 0 0 1
+  Keyframe 2
+    Rotate 7290 0 0 1
+  KeyframeEnd
+  AreaLightSource "diffuse" "rgb L" [1 0 0] "bool twosided" true
+  Shape "disk" "float radius" 0.9 "float phimax" 180
+  Rotate 180 0 0 1
+  AreaLightSource "diffuse" "rgb L" [0 1 0] "bool twosided" true
+  Shape "disk" "float radius" 0.9 "float phimax" 180
+DynamicEnd
+)";
+  const Image image = TestScene(flat(R"("float shutterclose" 1)", wheel)).render(FileFrame(0), 1024);
+  for (const int x : {14, 15, 16, 17})
+    for (const int y : {3, 4}) {
+      // 20.25 turns: each place has either colour for half of the time, but for a quarter of a turn.
+      EXPECT_NEAR(static_cast<double>(image.at(x, y).r), 0.5, 0.03) << x << ", " << y;
+      EXPECT_NEAR(static_cast<double>(image.at(x, y).r + image.at(x, y).g), 1, 0.01) << x << ", " << y;
+    }
+}
+
+TEST(Shutter, LampThatFades) {
+  const char* const lamp = R"(
+AreaLightSource "diffuse" "rgb L@1" [0 0 0] "rgb L@2" [2 4 0] "bool twosided" true
+Shape "bilinearmesh" "point3 P" [-9 -9 0 9 -9 0 -9 9 0 9 9 0]
+)";
+  const Image image = TestScene(flat(R"("float shutterclose" 0.5)", lamp)).render(FileFrame(0), 256);
+  for (const int x : {0, 15, 31}) {
+    EXPECT_NEAR(static_cast<double>(image.at(x, 4).r), 0.5, 0.005);
+    EXPECT_NEAR(brightness(image, x), 1, 0.01);
+  }
+}
+
+TEST(Shutter, ClosedIfNothingMovesOrNothingIsAskedFor) {
+  const char* const still = R"(
+AreaLightSource "diffuse" "rgb L" [1 1 1] "bool twosided" true
+Shape "bilinearmesh" "point3 P" [-.5 -2 0 .5 -2 0 -.5 2 0 .5 2 0]
+)";
+  EXPECT_EQ(TestScene(flat(R"("float shutterclose" 1)", still)).render(FileFrame(0), 8),
+            TestScene(flat("", still)).render(FileFrame(0), 8));
+  Choices no_blur, half;
+  no_blur.shutter = 0, half.shutter = 0.5;
+  EXPECT_EQ(TestScene(flat(R"("float shutterclose" 1)", kSquare), no_blur).render(FileFrame(0), 8),
+            TestScene(flat("", kSquare)).render(FileFrame(0), 8));
+  EXPECT_EQ(TestScene(flat("", kSquare), half).render(FileFrame(0), 8),
+            TestScene(flat(R"("float shutterclose" 0.5)", kSquare)).render(FileFrame(0), 8));
+}
+
+TEST(Shutter, ThatCannotBeIsAnError) {
+  const auto error = [](const std::string& camera) -> std::string {
+    try {
+      TestScene scene(flat(camera, kSquare));
+    } catch (const SceneError& thrown) {
+      return thrown.what();
+    }
+    return "";
+  };
+  EXPECT_NE(error(R"("float shutteropen" 1 "float shutterclose" 0.5)")
+                .find("the shutter closes at 0.5, before it opens at 1"),
+            std::string::npos);
+  EXPECT_NE(error(R"("float shutterclose" 1e9)").find("must lie between -1000 and 1000"), std::string::npos);
+  EXPECT_NE(error(R"("float shutterclose@1" 1 "float shutterclose@2" 0.5)").find("must be the same in all frames"),
+            std::string::npos);
+}
+
+/// A ball, its material, a lamp and the camera move from time 0 to 1, which are `moments`.
+std::string moving_box(const std::string& integrator, const std::string& moments, const std::string& begin,
+                       const std::string& end, const std::string& camera) {
+  std::string text = box(fmt::format("Frames {}\nIntegrator {} \"integer maxdepth\" 5\n", moments, integrator),
+                         fmt::format(R"(
+MakeNamedMaterial "paint" "string type" "diffuse" "rgb reflectance@{0}" [.9 .1 .1] "rgb reflectance@{1}" [.1 .1 .9]
+LightSource "spot" "rgb I@{0}" [1 1 1] "rgb I@{1}" [9 6 3] "point3 from" [0.6 0.7 -0.6] "point3 to" [0 -1 0]
+  "float coneangle" 30
+DynamicBegin "balls"
+  Keyframe {0}
+    Translate -0.5 -0.6 0.2
+  Keyframe {1}
+    Translate 0.4 -0.2 0.1
+  KeyframeEnd
+  AttributeBegin
+    Material "dielectric"
+    Shape "sphere" "float radius" 0.35
+  AttributeEnd
+  Translate 0 0.7 0
+  NamedMaterial "paint"
+  Shape "sphere" "float radius" 0.2
+DynamicEnd
+)",
+                                     begin, end),
+                         24);
+  replace(text, "LookAt", fmt::format("Keyframe {}\nLookAt", begin));
+  replace(text, "Camera \"perspective\"",
+          fmt::format("Keyframe {}\nLookAt 0.4 0.2 -3.2  0 0 0  0 1 0\nKeyframeEnd\nCamera \"perspective\" {}", end,
+                      camera));
+  return text;
+}
+
+struct Way {
+  const char* integrator;
+  int iterations;
+  double bias;
+};
+class EveryIntegrator : public testing::TestWithParam<Way> {};
+
+// 32 sharp frames at the middles of 32 parts of the shutter, after one that does not count.
+TEST_P(EveryIntegrator, GivesTheMeanOfSharpImages) {
+  const Way& way = GetParam();
+  const int times = seeds(8);
+  TestScene sharp(moving_box(way.integrator, "33", "1.5", "33.5", ""));
+  std::vector<std::vector<Image>> means;
+  for (int seed = 1; seed <= times; ++seed) {
+    sharp.set_seed(static_cast<std::uint64_t>(seed));
+    std::vector<Image> frames = sharp.render_all(way.iterations);
+    frames.erase(frames.begin());
+    Image mean = frames.front();
+    for (std::size_t i = 0; i < mean.pixels.size(); ++i) {
+      mean.pixels[i] = {};
+      for (const Image& frame : frames) mean.pixels[i] += frame.pixels[i] / static_cast<float>(frames.size());
+    }
+    means.push_back({mean});
+  }
+  const Tiles blurred =
+      rendered(moving_box(way.integrator, "1", "1", "2", R"("float shutterclose" 1)"), 32 * way.iterations, times, 2);
+  const Verdict verdict = agreement(blurred, tiles_of(means, 2), {0.01 / 5, way.bias});
+  EXPECT_TRUE(verdict.passed) << verdict.message;
+}
+
+// sppm's and dsppm's radius shrinks with iterations, of which the two have different numbers.
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryIntegrator,
+                         testing::Values(Way{R"("path")", 4, 0.003},
+                                         Way{R"("vcm" "integer photons" 1000 "float radius" 0.02)", 2, 0.01},
+                                         Way{R"("dsppm" "integer photons" 3000 "float radius" 0.02)", 4, 0.01},
+                                         Way{R"("sppm" "integer photons" 3000 "float radius" 0.02)", 4, 0.01},
+                                         Way{R"("photonmap" "integer photons" 20000 "integer causticphotons" 20000
+                                                 "float radius" 0.05 "float causticradius" 0.03 "integer nearest" 30)",
+                                             2, 0.03}),
+                         [](const auto& way) {
+                           const std::string name = way.param.integrator;
+                           return name.substr(1, name.find('"', 1) - 1);
+                         });
+
+TEST(Shutter, KeepsEveryPromise) {
+  for (const char* integrator :
+       {R"("path")", R"("vcm" "integer photons" 500)", R"("dsppm" "integer photons" 1000)",
+        R"("sppm" "integer photons" 1000)", R"("photonmap" "integer photons" 1000 "integer causticphotons" 1000)"}) {
+    const std::string text = moving_box(integrator, "3", "1", "4", R"("float shutterclose" 0.75)");
+    for (const auto check : {check_threads, check_resume, check_joint, check_crop}) {
+      const Verdict verdict = check(text, 3);
+      EXPECT_TRUE(verdict.passed) << integrator << ": " << verdict.message;
+    }
+  }
+}
+
+}  // namespace shutter_test
+}  // namespace dspm::test
