@@ -2,10 +2,9 @@
 // order, so its hits are identical bit for bit; it leaves triangles whose edge the ray hits to the scalar one.
 #pragma once
 
-#include <immintrin.h>
-
 #include "dspm/accel/meet.h"
 #include "dspm/base/math/ray.h"
+#include "dspm/base/math/simd.h"
 
 namespace dspm {
 

@@ -2,12 +2,11 @@
 // frames, or whether anything is in the way.
 #pragma once
 
-#include <immintrin.h>
-
 #include <cstdint>
 
 #include "dspm/accel/accel.h"
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/simd.h"
 
 namespace dspm {
 

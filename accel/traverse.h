@@ -6,8 +6,6 @@
 //   static constexpr bool kNearestFirst               the order matters
 #pragma once
 
-#include <immintrin.h>
-
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -16,6 +14,7 @@
 #include "dspm/accel/box_ray.h"
 #include "dspm/accel/bvh.h"
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/simd.h"
 #include "dspm/base/math/vec.h"
 
 namespace dspm {

@@ -23,7 +23,12 @@ add_library(dspm_settings INTERFACE)
 target_include_directories(dspm_settings INTERFACE ${CMAKE_BINARY_DIR}/include ${CMAKE_BINARY_DIR}/made
   ${CMAKE_SOURCE_DIR})  # the last for bench, python and tests
 # No contraction and no fast-math: equal paths must take equal decisions in every run, see docs/design.md.
-set(dspm_code_options -ffp-contract=off -fno-math-errno -msse4.2 -mpopcnt)
+set(dspm_code_options -ffp-contract=off -fno-math-errno)
+if(CMAKE_SYSTEM_PROCESSOR STREQUAL x86_64)
+  list(APPEND dspm_code_options -msse4.2 -mpopcnt)
+else()
+  find_path(SIMDE simde/x86/sse4.1.h REQUIRED)  # SSE's functions on other processors, see base/math/simd.h
+endif()
 target_compile_options(dspm_settings INTERFACE ${dspm_code_options}
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual)
 if(DSPM_WERROR)

@@ -35,7 +35,7 @@ set(toolkit_headers
   accel/box_ray.h accel/cut_query.h accel/hits.h accel/meet.h
   base/colour/rgb_lanes.h
   base/grid/buffer.h base/grid/point_grid.h base/grid/points_within.h
-  base/math/frame_lanes.h base/math/rounded.h
+  base/math/frame_lanes.h base/math/rounded.h base/math/simd.h
   cameras/blades.h cameras/projection.h
   integrators/guiding/emission_of_file.h integrators/guiding/file_sample.h integrators/guiding/learn_direct.h
   integrators/guiding/learn_emission.h integrators/guiding/pilot_paths.h

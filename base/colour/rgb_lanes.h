@@ -1,9 +1,8 @@
 // An Rgb in one register, for long sums: an addition costs one instruction instead of three and gives the same bits.
 #pragma once
 
-#include <immintrin.h>
-
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/simd.h"
 
 namespace dspm {
 

@@ -1,8 +1,8 @@
 #include "dspm/base/grid/points_within.h"
 
-#include <immintrin.h>
-
 #include <bit>
+
+#include "dspm/base/math/simd.h"
 
 namespace dspm {
 namespace {
@@ -24,7 +24,13 @@ constexpr LaneShuffles kLaneShuffles;
 
 }  // namespace
 
-bool is_supported(DistanceTest test) { return test == DistanceTest::four_lanes || __builtin_cpu_supports("avx512f"); }
+bool is_supported(DistanceTest test) {
+#if defined(__x86_64__)
+  return test == DistanceTest::four_lanes || __builtin_cpu_supports("avx512f");
+#else
+  return test == DistanceTest::four_lanes;
+#endif
+}
 
 const DistanceTest kWidestDistanceTest =
     is_supported(DistanceTest::sixteen_lanes) ? DistanceTest::sixteen_lanes : DistanceTest::four_lanes;
@@ -50,6 +56,7 @@ std::uint32_t PointsWithin::add_four(const float* x, const float* y, const float
   return i;
 }
 
+#if defined(__x86_64__)
 __attribute__((target("avx512f"))) std::uint32_t PointsWithin::add_sixteen(const float* x, const float* y,
                                                                            const float* z, std::uint32_t begin,
                                                                            std::uint32_t end) {
@@ -71,5 +78,11 @@ __attribute__((target("avx512f"))) std::uint32_t PointsWithin::add_sixteen(const
   count_ = count;
   return i;
 }
+#else
+std::uint32_t PointsWithin::add_sixteen(const float* x, const float* y, const float* z, std::uint32_t begin,
+                                        std::uint32_t end) {
+  return add_four(x, y, z, begin, end);
+}
+#endif
 
 }  // namespace dspm

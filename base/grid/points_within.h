@@ -8,7 +8,7 @@
 namespace dspm {
 
 /// The instructions to use. All give the same bits.
-enum class DistanceTest { four_lanes, sixteen_lanes };  // SSE4.2, AVX-512
+enum class DistanceTest { four_lanes, sixteen_lanes };  // SSE or NEON, AVX-512
 
 bool is_supported(DistanceTest test);
 extern const DistanceTest kWidestDistanceTest;

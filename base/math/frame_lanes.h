@@ -1,9 +1,8 @@
 // Frames side by side in SIMD lanes: group g holds frames 4 g to 4 g + 3.
 #pragma once
 
-#include <immintrin.h>
-
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/simd.h"
 
 namespace dspm {
 

@@ -64,6 +64,7 @@ if [[ $python_module ]]; then
   recommended="python3 (>= 3.$minor~), python3 (<< 3.$((minor + 1))), python3-numpy"
 fi
 suggested=$(needed Suggests)
+[[ $architecture == amd64 ]] || suggested+="${suggested:+, }libsimde-dev"  # for headers of plugins
 
 cat >"$stage/DEBIAN/control" <<END
 Package: dspm

@@ -34,7 +34,7 @@ module_of() {  # root of a system: compiles the module against its headers, with
   version=${headers##*python3.}
   mkdir -p "$work/include"
   ln -sfT "$root/usr/include/pybind11" "$work/include/pybind11"
-  quietly g++ -std=c++20 -O2 -fPIC -shared -fvisibility=hidden -ffp-contract=off -fno-math-errno -msse4.2 -mpopcnt -DNDEBUG \
+  quietly g++ $(sed -n 's/^Cflags: -I[^ ]*//p' "$build/dspm.pc") -O2 -fPIC -shared -fvisibility=hidden -DNDEBUG \
     -I "$build/include" -I "$build/made" -I "$source" -isystem "$headers" -isystem "$work/include" \
     -idirafter "$root/usr/include" "$source"/python/*.cpp -L "$libraries" -ldspm -lfmt -s \
     -o "$folder/python/dspm/_dspm.cpython-3$version-$(uname -m)-linux-gnu.so"

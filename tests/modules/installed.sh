@@ -10,7 +10,7 @@ prefix=$work/prefix
 cmake --install "$build_dir" --prefix "$prefix" >/dev/null
 include=$(find "$prefix" -type d -path '*/include/dspm')
 dspm=$prefix/bin/dspm
-flags="-x c++ -std=c++20 -msse4.2 -mpopcnt $warnings -I $(dirname "$include")"
+flags="-x c++ $(sed -n 's/^Cflags: -I[^ ]*//p' "$(find "$prefix" -name dspm.pc)") $warnings -I $(dirname "$include")"
 
 fail() {
   echo "$1" >&2

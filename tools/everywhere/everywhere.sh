@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # What docs/building.md promises of systems, tried on bare ones: in a debootstrap of each, ./dev demo and ./dev test, a
-# build with clang, a wheel in a venv, the add-on in its Blender; then the images of one system against the other's.
+# build with clang, a wheel in a venv, the add-on in its Blender, a build for arm64; then the images of one system and
+# processor against the other's.
 # usage: everywhere.sh [suite...] (default: bookworm trixie), as root. What is done is not done again; the roots and logs
 # are in build/everywhere, and the report is out/everywhere.md.
 set -uo pipefail
@@ -9,7 +10,7 @@ suites=("$@")
 (($#)) || suites=(bookworm trixie)
 work=$PWD/build/everywhere
 mirror=${DSPM_MIRROR:-http://deb.debian.org/debian}
-steps=(demo test clang wheel blender images)
+steps=(demo test clang wheel blender images arm64)
 mkdir -p "$work" out
 
 # A step's commands, in a copy of the tracked files.

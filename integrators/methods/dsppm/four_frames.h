@@ -2,11 +2,10 @@
 // operations in the same order, so its values are identical bit for bit.
 #pragma once
 
-#include <immintrin.h>
-
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/colour/rgb_lanes.h"
 #include "dspm/base/math/frame_lanes.h"
+#include "dspm/base/math/simd.h"
 #include "dspm/integrators/methods/pixel_statistics.h"
 
 namespace dspm {
