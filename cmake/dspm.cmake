@@ -31,6 +31,9 @@ else()
 endif()
 target_compile_options(dspm_settings INTERFACE ${dspm_code_options}
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_SYSTEM_PROCESSOR STREQUAL aarch64)
+  target_compile_options(dspm_settings INTERFACE -Wno-psabi)  # it remarks what g++ 10 has changed
+endif()
 if(DSPM_WERROR)
   target_compile_options(dspm_settings INTERFACE -Werror)
 endif()

@@ -22,8 +22,9 @@ constexpr std::size_t kLongestName = 100;  // bytes; file names end at 255
 bool can_be_in_file_name(std::string_view name) {
   constexpr std::string_view kRefused = "/\\:*?\"<>|";
   return !name.empty() && name != "." && name != ".." && name.size() <= kLongestName &&
-         std::none_of(name.begin(), name.end(),
-                      [&](char c) { return (c >= 0 && c < ' ') || c == '\x7f' || kRefused.find(c) != kRefused.npos; });
+         std::none_of(name.begin(), name.end(), [&](char c) {
+           return static_cast<unsigned char>(c) < ' ' || c == '\x7f' || kRefused.find(c) != kRefused.npos;
+         });
 }
 
 std::string listed(const std::set<std::string>& names) {

@@ -183,7 +183,8 @@ std::string SceneWriter::header() {
   std::string text = fmt::format("# {}, as dspm reads it\n", document_->path().filename().string());
   if (motion_->frames > 1) text += fmt::format("Frames {} \"float fps\" {}\n", motion_->frames, motion_->fps);
   text += sight;
-  const std::optional<double> factor = has_light_ ? exposure() : std::nullopt;
+  std::optional<double> factor;
+  if (has_light_) factor = exposure();
   text += fmt::format("Film \"rgb\" \"integer xresolution\" {} \"integer yresolution\" {} \"string filename\" {}{}\n",
                       width, kHeight, in_quotes(stem + ".exr"),
                       factor ? fmt::format(" \"float iso\" {}", 100 * *factor) : "");
