@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "tests/shapes/making.h"
@@ -70,17 +71,19 @@ double distance_at(const CurveSegment& segment, double u, const Ray& ray) {
 std::optional<double> tried_everywhere(const CurveSegment& segment, const Ray& ray) {
   constexpr int kPlaces = 2000;
   double best = std::numeric_limits<double>::infinity();
-  for (int k = 1; k < kPlaces; ++k) {
+  for (int k = 0; k <= kPlaces; ++k) {
+    const int before = std::max(k - 1, 0), after = std::min(k + 1, kPlaces);
     const auto at = [&](int i) { return distance_at(segment, double(i) / kPlaces, ray); };
-    if (at(k) > at(k - 1) || at(k) > at(k + 1)) continue;
-    double low = double(k - 1) / kPlaces, high = double(k + 1) / kPlaces;
+    if (at(k) > at(before) || at(k) > at(after)) continue;
+    double low = double(before) / kPlaces, high = double(after) / kPlaces;
     for (int step = 0; step < 60; ++step) {
       const double a = low + (high - low) / 3, b = high - (high - low) / 3;
       (distance_at(segment, a, ray) < distance_at(segment, b, ray) ? high : low) =
           distance_at(segment, a, ray) < distance_at(segment, b, ray) ? b : a;
     }
-    const double u = (low + high) / 2, radius = segment.width_at(u) / 2,
-                 gap = std::abs(distance_at(segment, u, ray) - radius);
+    const double u = (low + high) / 2;
+    if (u < 1e-9 || u > 1 - 1e-9) continue;  // an end, and no minimum
+    const double radius = segment.width_at(u) / 2, gap = std::abs(distance_at(segment, u, ray) - radius);
     if (gap < 1e-3 * radius || u < 2.0 / kPlaces || u > 1 - 2.0 / kPlaces) return std::nullopt;
     const double t = dot(place_on(segment, u, ray.origin).p, widen(ray.direction));
     if (distance_at(segment, u, ray) < radius && t > 0) best = std::min(best, t);
