@@ -12,9 +12,7 @@ struct Iteration {
   /// The scene that the integrator was made for, or its state in this iteration, with the same frames, shapes, materials
   /// and lights. It lives as long as the iteration.
   const Scene& scene;
-  /// The time after each frame's moment that the scene shows, in frames; nullopt if the shutter is closed, and all
-  /// iterations have one scene.
-  std::optional<double> delay = std::nullopt;
+  std::optional<double> delay = {};  // frames after their moments that it shows; none: all iterations have one scene
 };
 
 }  // namespace dspm

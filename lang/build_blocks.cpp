@@ -35,7 +35,7 @@ void SceneBuilder::open_block(Block::Kind kind, const Directive& directive, std:
 
 void SceneBuilder::close_block(Block::Kind kind, const Directive& directive) {
   if (kind == Block::Kind::dynamic && blocks_.innermost_is(kind) && variation_in_force() == nullptr)
-    ends_of_blocks_[blocks_.innermost().name].push_back(state_.ctm);
+    ends_of_blocks_[blocks_.innermost().name].push_back(ctm());
   state_ = blocks_.close(kind, directive.where, state_);
 }
 
@@ -88,10 +88,10 @@ void SceneBuilder::object_begin(const Directive& directive) {
   scene_.objects.push_back({directive.words[0].text, {}, directive.where});
 }
 
-/// Reports an error if something moves outside of Dynamic blocks. After a whole scene, keys for its Camera may stand
-/// there, and a light may follow them.
+/// Reports an error if something moves outside of Dynamic blocks, which pbrt has not. After a whole scene, keys for its
+/// Camera may stand there, and a light may follow them.
 void SceneBuilder::expect_still(const Directive& directive) {
-  if (state_.dynamic_block < 0 && state_.ctm.is_keyed())
+  if (scene_.dialect == Dialect::dsc && state_.dynamic_block < 0 && ctm().is_keyed())
     diagnostics_.error(directive.where,
                        fmt::format("this {} moves, but is not in a Dynamic block", directive.info->name),
                        "put it and its keys between DynamicBegin \"a name\" and DynamicEnd");
@@ -103,8 +103,8 @@ void SceneBuilder::object_instance(const Directive& directive) {
     diagnostics_.error(directive.where,
                        fmt::format("ObjectInstance inside {} (line {})", begin_of(*outer), outer->where.line),
                        "objects cannot hold objects");
-  scene_.instances.push_back({directive.words[0].text, state_.ctm, state_.reverse_orientation, state_.dynamic_block,
-                              directive.words[0].where});
+  scene_.instances.push_back(
+      {directive.words[0].text, ctm(), state_.reverse_orientation, state_.dynamic_block, directive.words[0].where});
 }
 
 }  // namespace dspm

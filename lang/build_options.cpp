@@ -81,9 +81,7 @@ bool SceneBuilder::apply_option(Directive& directive) {
     case DirectiveKind::plugin:
       scene_.modules.push_back({directive.words[0].text, directive.words[0].where});
       return true;
-    case transform_times:
-      diagnostics_.note(directive.where, "TransformTimes has no effect: motion blur is not supported yet");
-      return true;
+    case DirectiveKind::transform_times: transform_times(directive); return true;
     default: return false;
   }
 }
@@ -101,16 +99,24 @@ void SceneBuilder::set_plugin(std::optional<PluginUse>& slot, Directive& directi
 
 void SceneBuilder::camera(Directive& directive) {
   warn_of_second(directive, scene_.camera ? &*scene_.camera : nullptr);
-  const Motion place = (scene_is_whole_ ? place_of_replacing_camera() : state_.ctm).of_camera();
+  const Motion place = scene_is_whole_ ? place_of_replacing_camera() : state_.ctm.of_camera(transform_times_);
   scene_.camera = CameraUse{plugin_use(directive), place};
   scene_.coordinate_systems["camera"] = place.inverse();
   if (scene_is_whole_) state_.ctm = {};
 }
 
+void SceneBuilder::transform_times(const Directive& directive) {
+  transform_times_ = {Moment(directive.numbers[0]), Moment(directive.numbers[1])};
+  if (transform_times_.start < transform_times_.end) return;
+  diagnostics_.error(directive.where, "the second time of TransformTimes must be after the first");
+  transform_times_ = {};
+}
+
 /// Returns the place of a camera that replaces another. Without a transform before it, it is another lens at the place
 /// of the other camera.
 Motion SceneBuilder::place_of_replacing_camera() const {
-  return scene_.camera && state_.ctm == Motion() ? scene_.camera->camera_from_world : state_.ctm;
+  const Motion own = state_.ctm.of_camera(transform_times_);
+  return scene_.camera && own == Motion() ? scene_.camera->camera_from_world : own;
 }
 
 void SceneBuilder::frames(const Directive& directive) {

@@ -66,7 +66,7 @@ bool SceneBuilder::apply_transform(const Directive& directive) {
     case transform: replace(directive, op_of(TransformOp::Kind::matrix, directive)); return true;
     case identity: replace(directive, matrix_op({})); return true;
     case DirectiveKind::active_transform: active_transform(directive); return true;
-    case DirectiveKind::coordinate_system: scene_.coordinate_systems[directive.words[0].text] = state_.ctm; return true;
+    case DirectiveKind::coordinate_system: scene_.coordinate_systems[directive.words[0].text] = ctm(); return true;
     case coord_sys_transform: coordinate_system(directive); return true;
     case DirectiveKind::keyframe: keyframe(directive); return true;
     case DirectiveKind::keyframe_end: keyframe_end(directive); return true;
@@ -90,7 +90,7 @@ bool SceneBuilder::is_usable(const Directive& directive, const Matrix4& matrix) 
                        "values 4, 8 and 12 must be 0, value 16 must be 1");
     return false;
   }
-  return !is_blurred(directive);
+  return true;
 }
 
 void SceneBuilder::multiply(const Directive& directive, const TransformOp& op) {
@@ -101,14 +101,20 @@ void SceneBuilder::multiply(const Directive& directive, const TransformOp& op) {
     KeyframeGroup alone(directive.where);
     alone.begin_key({scene_.first_moment, directive.where}, diagnostics_);
     alone.multiply(op);
-    state_.ctm = alone.finish(state_.ctm, After::hold, {}, diagnostics_);
+    state_.ctm = CurrentTransform(alone.finish(ctm(), After::hold, {}, diagnostics_));
     return;
   }
-  Motion motion = state_.ctm;
-  motion.multiply(matrix);
-  if (const Matrix4 at_first = motion.at(Moment()); is_regular(at_first) || (motion.is_keyed() && vanishes(at_first)))
-    state_.ctm = std::move(motion);
-  else
+  bool is_singular = false;
+  state_.ctm.change([&](Motion& current) {
+    Motion motion = current;
+    motion.multiply(matrix);
+    const Matrix4 at_first = motion.at(Moment());
+    if (is_regular(at_first) || (motion.is_keyed() && vanishes(at_first)))
+      current = std::move(motion);
+    else
+      is_singular = true;
+  });
+  if (is_singular)
     diagnostics_.error(directive.where,
                        fmt::format("this {} makes the current transform singular", directive.info->name));
 }
@@ -130,28 +136,15 @@ void SceneBuilder::replace(const Directive& directive, const TransformOp& op) {
   const Matrix4 matrix = op.matrix();
   if (!is_usable(directive, matrix)) return;
   if (group_) return group_->replace(op);
-  state_.ctm = Motion(matrix);
-}
-
-bool SceneBuilder::is_blurred(const Directive& directive) {
-  if (state_.active == GraphicsState::Active::both) return false;
-  if (!blur_told_)
-    diagnostics_.unsupported(directive.where,
-                             "motion blur (a transform for one end of the shutter interval) is not "
-                             "supported yet",
-                             "with --lenient, everything stays where it is when the shutter opens");
-  blur_told_ = true;
-  return state_.active == GraphicsState::Active::end;  // --lenient renders the state at the start
+  state_.ctm.set(Motion(matrix));
 }
 
 void SceneBuilder::active_transform(const Directive& directive) {
   const std::string& word = directive.words[0].text;
   if (word != "All" && word != "StartTime" && word != "EndTime")
     diagnostics_.error(directive.words[0].where, "expected All, StartTime or EndTime");
-  state_.active = word == "StartTime" ? GraphicsState::Active::start
-                  : word == "EndTime" ? GraphicsState::Active::end
-                                      : GraphicsState::Active::both;
-  blur_told_ = false;
+  using Active = CurrentTransform::Active;
+  state_.ctm.activate(word == "StartTime" ? Active::start : word == "EndTime" ? Active::end : Active::both);
 }
 
 void SceneBuilder::coordinate_system(const Directive& directive) {
@@ -162,10 +155,8 @@ void SceneBuilder::coordinate_system(const Directive& directive) {
     for (const auto& [each, motion] : scene_.coordinate_systems) known.push_back(each);
     diagnostics_.error(name.where, fmt::format("unknown coordinate system \"{}\"", name.text),
                        did_you_mean(name.text, known));
-  } else if (is_blurred(directive)) {
-    return;
   } else if (!group_) {
-    state_.ctm = found->second;
+    state_.ctm.set(found->second);
   } else if (found->second.is_keyed()) {
     diagnostics_.error(name.where, fmt::format("the coordinate system \"{}\" moves, so it cannot be a key", name.text));
   } else {
@@ -211,7 +202,8 @@ void SceneBuilder::keyframe_end(const Directive& directive) {
 void SceneBuilder::finish_group(After after) {
   const bool frames_are_known = world_where_ || scene_.frames_where.file != nullptr;
   const MomentInterval all{scene_.first_moment, Moment(scene_.first_moment.frames() + kMostFrames)};
-  state_.ctm = group_->finish(state_.ctm, after, frames_are_known ? scene_.all_moments() : all, diagnostics_);
+  state_.ctm =
+      CurrentTransform(group_->finish(ctm(), after, frames_are_known ? scene_.all_moments() : all, diagnostics_));
   group_.reset();
 }
 

@@ -156,7 +156,7 @@ void SceneBuilder::variation_begin(const Directive& directive) {
   variations_.resize(scene_.axes.size());
   define(variations_[axis_of_variation_], directive);
   open_block(Block::Kind::variation, directive, name.text);
-  around_variation_ = std::exchange(state_.ctm, {});
+  around_variation_ = std::exchange(state_.ctm, {}).motion(transform_times_);
   Variation& variation = axis->variations.emplace_back();
   variation.name = name.text, variation.where = name.where;
   replaced_ = {};
@@ -222,7 +222,7 @@ bool SceneBuilder::replace_lights(Directive& directive, Variation& variation) {
   if (has_area)
     variation.area_lights.push_back({std::move(use), std::move(name)});
   else
-    variation.light_sources.push_back({std::move(use), std::move(name), state_.ctm, state_.dynamic_block});
+    variation.light_sources.push_back({std::move(use), std::move(name), ctm(), state_.dynamic_block});
   return true;
 }
 

@@ -181,7 +181,7 @@ void SceneBuilder::texture(Directive& directive) {
     define(is_spectrum ? spectrum_textures_ : float_textures_, directive);
   std::string name = directive.words[0].text;
   Motion placement = variation ? around_variation_ : Motion();
-  placement.multiply(state_.ctm);
+  placement.multiply(ctm());
   (variation ? variation->textures : scene_.textures)
       .push_back({plugin_use(directive, AttributeTarget::texture), std::move(name), is_spectrum, std::move(placement)});
 }
@@ -199,7 +199,7 @@ void SceneBuilder::area_light_source(Directive& directive) {
 }
 
 void SceneBuilder::light_source(Directive& directive) {
-  LightUse light{plugin_use(directive, AttributeTarget::light), {}, state_.ctm, state_.dynamic_block};
+  LightUse light{plugin_use(directive, AttributeTarget::light), {}, ctm(), state_.dynamic_block};
   light.name = take_name(light.params);
   scene_.lights.push_back(std::move(light));
 }
@@ -209,7 +209,7 @@ void SceneBuilder::shape(Directive& directive) {
   expect_still(directive);
   ShapeUse use{plugin_use(directive, AttributeTarget::shape),
                {},
-               state_.ctm,
+               ctm(),
                state_.reverse_orientation,
                state_.material,
                state_.area_light,

@@ -6,8 +6,8 @@
 
 #include "dspm/base/colour/colour_space.h"
 #include "dspm/base/params/params.h"
+#include "dspm/lang/current_transform.h"
 #include "dspm/lang/description.h"
-#include "dspm/lang/motion.h"
 
 namespace dspm {
 
@@ -16,8 +16,7 @@ enum class AttributeTarget { shape, light, material, medium, texture };
 inline constexpr int kAttributeTargets = 5;
 
 struct GraphicsState {
-  Motion ctm;  // current transform: world from local, before WorldBegin camera from world
-  enum class Active { both, start, end } active = Active::both;  // the shutter times that transforms apply to
+  CurrentTransform ctm;  // world from local, before WorldBegin camera from world
   ColourSpace space = ColourSpace::srgb;
   bool reverse_orientation = false;
   MaterialRef material;

@@ -89,7 +89,6 @@ void SceneBuilder::world_begin(const SourceLocation& where) {
   }
   world_where_ = where;
   state_.ctm = {};
-  state_.active = GraphicsState::Active::both;
   scene_.coordinate_systems["world"] = {};
   scene_.coordinate_systems.try_emplace("camera");  // a scene without Camera has one at the origin
   for (const auto& [key, place] : keys_before_world_) check_key(key, place);

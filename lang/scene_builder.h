@@ -77,7 +77,8 @@ class SceneBuilder {
   void find_named_places();
   void replace(const Directive& directive, const TransformOp& op);
   bool is_usable(const Directive& directive, const Matrix4& matrix);
-  bool is_blurred(const Directive& directive);
+  void transform_times(const Directive& directive);
+  Motion ctm() const { return state_.ctm.motion(transform_times_); }
   void active_transform(const Directive& directive);
   void coordinate_system(const Directive& directive);
   bool may_begin_keys() const;
@@ -138,7 +139,7 @@ class SceneBuilder {
   std::vector<ShapeUse>* repeatable_ = nullptr;  // the list that it ends
   bool scene_is_whole_ = false;                  // the file with WorldBegin has ended
   bool options_have_keys_ = false;
-  bool blur_told_ = false;                                               // since the last ActiveTransform
+  TransformTimes transform_times_;
   std::vector<std::pair<Moment, SourceLocation>> keys_before_world_;     // checked when the number of frames is known
   std::vector<std::map<std::string, Motion>> outer_coordinate_systems_;  // of files being imported
   Places float_textures_, spectrum_textures_, materials_, media_, objects_, axes_;

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "dspm/base/params/params.h"
+#include "dspm/base/system/readable.h"
 
 namespace dspm {
 namespace {
@@ -24,15 +24,20 @@ bool is_keyed(const ObjectUse& use) { return use.world_from_instance.is_keyed();
 bool is_keyed(const CameraUse& use) { return use.params.is_keyed() || use.camera_from_world.is_keyed(); }
 
 template <class Uses>
-bool any_keyed(const Uses& uses) {
-  return std::any_of(uses.begin(), uses.end(), [](const auto& use) { return is_keyed(use); });
+std::size_t count_keyed(const Uses& uses) {
+  return static_cast<std::size_t>(
+      std::count_if(uses.begin(), uses.end(), [](const auto& use) { return is_keyed(use); }));
 }
 
-bool is_keyed(const Variation& variation) {
-  return any_keyed(variation.materials) || any_keyed(variation.textures) || any_keyed(variation.lights) ||
-         any_keyed(variation.light_sources) || any_keyed(variation.area_lights) ||
-         (variation.camera && is_keyed(*variation.camera));
-}
+struct Counts {
+  std::size_t cameras = 0, shapes = 0, lights = 0, materials = 0, textures = 0;
+
+  void add(const Variation& variation) {
+    cameras += variation.camera && is_keyed(*variation.camera) ? 1 : 0;
+    lights += count_keyed(variation.lights) + count_keyed(variation.light_sources) + count_keyed(variation.area_lights);
+    materials += count_keyed(variation.materials), textures += count_keyed(variation.textures);
+  }
+};
 
 /// Returns the number if the camera gives it; reports one that is out of range, or has keys.
 std::optional<double> number_of(const CameraUse& camera, const char* name, Diagnostics& diagnostics) {
@@ -84,16 +89,23 @@ Shutter shutter_of(const SceneDescription& scene, Diagnostics& diagnostics) {
   return shutter;
 }
 
-bool moves(const SceneDescription& scene) {
-  const auto has_keyed_shapes = [](const ObjectDefinition& object) { return any_keyed(object.shapes); };
-  const auto varies = [](const VariationAxis& axis) {
-    return std::any_of(axis.variations.begin(), axis.variations.end(),
-                       [](const Variation& variation) { return is_keyed(variation); });
-  };
-  return (scene.camera && is_keyed(*scene.camera)) || any_keyed(scene.materials) || any_keyed(scene.textures) ||
-         any_keyed(scene.lights) || any_keyed(scene.area_lights) || any_keyed(scene.shapes) ||
-         any_keyed(scene.instances) || std::any_of(scene.objects.begin(), scene.objects.end(), has_keyed_shapes) ||
-         std::any_of(scene.axes.begin(), scene.axes.end(), varies);
+std::vector<std::string> what_moves(const SceneDescription& scene) {
+  Counts counts;
+  if (scene.camera && is_keyed(*scene.camera)) counts.cameras = 1;
+  counts.shapes = count_keyed(scene.shapes) + count_keyed(scene.instances);
+  for (const ObjectDefinition& object : scene.objects) counts.shapes += count_keyed(object.shapes);
+  counts.lights = count_keyed(scene.lights) + count_keyed(scene.area_lights);
+  counts.materials = count_keyed(scene.materials), counts.textures = count_keyed(scene.textures);
+  for (const VariationAxis& axis : scene.axes)
+    for (const Variation& variation : axis.variations) counts.add(variation);
+  std::vector<std::string> all;
+  if (counts.cameras > 0) all.emplace_back("the camera");
+  for (const auto& [count, name] : {std::pair(counts.shapes, "shape"),
+                                    {counts.lights, "light"},
+                                    {counts.materials, "material"},
+                                    {counts.textures, "texture"}})
+    if (count > 0) all.push_back(counted(count, name));
+  return all;
 }
 
 SceneDescription after(const SceneDescription& scene, double delay) {

@@ -1,6 +1,9 @@
 // The time for which each frame is exposed: what moves meanwhile is blurred.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "dspm/base/params/errors.h"
 #include "dspm/lang/description.h"
 
@@ -10,7 +13,8 @@ namespace dspm {
 /// frames has pbrt's seconds instead.
 struct Shutter {
   double open = 0, close = 0;
-  bool is_open() const { return close > open; }
+  /// Returns whether iterations show other times than the frames' own moments.
+  bool delays() const { return open != 0 || close != 0; }
   friend bool operator==(const Shutter&, const Shutter&) = default;
 };
 
@@ -18,8 +22,8 @@ struct Shutter {
 /// otherwise, but for scenes in pbrt's language, whose cameras have one from 0 to 1.
 Shutter shutter_of(const SceneDescription& scene, Diagnostics& diagnostics);
 
-/// Returns whether a time after its moment may show anything else in a frame: whether anything has keys.
-bool moves(const SceneDescription& scene);
+/// Returns what has keys, and so may be elsewhere or look different a while after a frame's moment: "the camera", "3 shapes".
+std::vector<std::string> what_moves(const SceneDescription& scene);
 
 /// Returns the scene at a time after each frame's moment.
 SceneDescription after(const SceneDescription& scene, double delay);

@@ -32,8 +32,8 @@ const SourceFile& SourceFiles::load(const std::string& path) {
 }
 
 void SourceFiles::put(const std::string& path, std::string text) {
-  files_.push_back(
-      std::make_shared<const SourceFile>(SourceFile{path == "-" ? "standard input" : path, plain_text(std::move(text))}));
+  files_.push_back(std::make_shared<const SourceFile>(
+      SourceFile{path == "-" ? "standard input" : path, plain_text(std::move(text))}));
   loaded_[identity_of(path)].file = files_.back().get();
 }
 

@@ -1,5 +1,7 @@
 #include "dspm/session/exposure.h"
 
+#include <fmt/format.h>
+
 #include <cstdint>
 
 #include "dspm/base/math/rng.h"
@@ -15,8 +17,16 @@ double delay_of(int iteration, const Shutter& shutter, const RenderSettings& ren
   return shutter.open + (shutter.close - shutter.open) * static_cast<double>(u);
 }
 
+std::vector<std::string> explain_shutter(const Job& job) {
+  if (!job.shutter.delays()) return {};
+  return {fmt::format(
+      "shutter: open from {} to {} frames after each frame's moment; meanwhile {} may change. Each iteration "
+      "shows one time of it, the same in all frames, and makes its scene anew.",
+      job.shutter.open, job.shutter.close, fmt::join(what_moves(*job.description), ", "))};
+}
+
 Iteration Exposure::iteration(int number) {
-  if (!job_.shutter.is_open()) return {number, scene_};
+  if (!job_.shutter.delays()) return {number, scene_};
   const double delay = delay_of(number, job_.shutter, job_.settings);
   later_scene_.reset();
   later_world_ = world_.after(delay);

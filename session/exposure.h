@@ -3,6 +3,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "dspm/integrators/iteration.h"
 #include "dspm/session/job/job.h"
@@ -14,6 +16,9 @@ namespace dspm {
 /// Returns the time after each frame's moment of an iteration, in frames. Times cover the shutter evenly after any
 /// number of iterations, in the blocks in which camera paths do.
 double delay_of(int iteration, const Shutter& shutter, const RenderSettings& render);
+
+/// Says for --explain what blurs; nothing if nothing does.
+std::vector<std::string> explain_shutter(const Job& job);
 
 class Exposure {
  public:

@@ -95,10 +95,11 @@ void LoadedScene::make(const Choices& choices, Diagnostics& diagnostics, KeptGeo
   const StepTimer timer(steps[1]);
   load_modules(*description, diagnostics);
   job = make_job(*description, choices, diagnostics);
-  if (kept == nullptr && job.shutter.is_open()) own_kept = std::make_shared<KeptGeometry>(), kept = own_kept.get();
+  if (kept == nullptr && job.shutter.delays()) own_kept = std::make_shared<KeptGeometry>(), kept = own_kept.get();
   const WorldOptions world_options{job.settings.width, job.settings.height, job.accel, true, job.film.diagonal, kept,
                                    &job.frames};
   world = std::make_unique<World>(*description, world_options, diagnostics);
+  if (job.shutter.delays() && diagnostics.error_count() == 0) world->after(job.shutter.close);  // shows errors early
   job.settings.file = std::make_shared<FileSample>(
       world->sample_frames(), [world = world.get()] { return world->scene(world->sample_frames()); });
 }

@@ -1,6 +1,5 @@
 // Where frames that are rendered together are rendered: their scene, the integrator that was made for it, and its
-// iterations, each at a time of the shutter. Whoever renders gets them from a stage, so whatever iterations are to differ
-// in is decided here.
+// iterations. Whoever renders gets them from a stage, so whatever iterations are to differ in is decided here.
 #pragma once
 
 #include <cstddef>
@@ -34,8 +33,6 @@ class Stage {
   /// Makes the scene. `job` and `world` outlive the stage.
   Stage(const Job& job, const World& world, FrameList frames);
   Stage(const LoadedScene& loaded, FrameList frames) : Stage(loaded.job, *loaded.world, std::move(frames)) {}
-  Stage(const Stage&) = delete;
-  Stage& operator=(const Stage&) = delete;
 
   const FrameList& frames() const { return frames_; }
   const Scene& scene() const { return *scene_; }
@@ -45,7 +42,6 @@ class Stage {
   Integrator& make_integrator(Messages& messages, const StageSettings& settings = {});
   Integrator& integrator() const { return *integrator_; }
 
-  /// Does what Exposure::iteration describes.
   Iteration iteration(int number) { return exposure_.iteration(number); }
   void iterate(int number) { integrator_->iterate(iteration(number)); }
 

@@ -34,21 +34,17 @@ struct CameraMatrices {
 
 class World {
  public:
-  /// Reports errors and warnings to `diagnostics`; after an error, scenes cannot be made. `description` must outlive
-  /// the world.
+  /// Reports errors and warnings to `diagnostics`; after an error, scenes cannot be made. `description` outlives it.
   World(const SceneDescription& description, const WorldOptions& options, Diagnostics& diagnostics);
   ~World();
 
-  /// Makes the world at a time after the moment of each frame, in frames; it shares what this one keeps, and frames
-  /// choose lights with those that they choose with here. This one must outlive it. Throws SceneError.
+  /// Makes the world so many frames later; it shares what it can with this one, which outlives it. Throws SceneError.
   std::unique_ptr<World> after(double delay) const;
-
   int frame_count() const;
   /// Makes the scene of these frames of the file: ascending, at most kMaxFrames. The world must outlive its scenes. All
   /// scenes of a world agree on what sampling derives from the scene (light probabilities, bounding sphere).
   std::unique_ptr<Scene> scene(std::span<const FileFrame> frames) const;
-  /// Returns at most 16 frames, spread over the file.
-  std::vector<FileFrame> sample_frames() const;
+  std::vector<FileFrame> sample_frames() const;  // at most 16, spread over the file
   /// Returns a text that is equal if sampling is the same: what the file's first frames decide of it.
   std::string sampling() const;
   /// Returns the directive that an element of scene(frames) comes from, in its frame j.

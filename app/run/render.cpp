@@ -13,6 +13,7 @@
 #include "dspm/session/checkpoint/guide_file.h"
 #include "dspm/session/explain_intervals.h"
 #include "dspm/session/explain_photons.h"
+#include "dspm/session/exposure.h"
 #include "dspm/session/job/frame_choice.h"
 #include "dspm/session/modules/all_plugins.h"
 #include "dspm/session/out_of_memory.h"
@@ -26,6 +27,7 @@ void explain(const LoadedScene& loaded, Render& render, Messages& messages) {
     for (const std::string& line : lines) print_message(fmt::format("{}\n", line));
   };
   print(explain_intervals(*loaded.world, render.intervals()));
+  print(explain_shutter(loaded.job));
   render.step_begins("learning where photons start", in_words("integrator", loaded.job.integrator));
   print(explain_photons(loaded, render.intervals().front(), messages));
 }

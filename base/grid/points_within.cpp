@@ -1,5 +1,9 @@
 #include "dspm/base/grid/points_within.h"
 
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
 #include <bit>
 
 #include "dspm/base/math/simd.h"

@@ -44,7 +44,7 @@ void add_settings(const Job& job, std::vector<Fact>& facts) {
                    outputs.empty() ? kRadiance : fmt::format("{} in {} space", fmt::join(outputs, ","), space)});
   if (s.transparent) facts.push_back({"the background", "transparent"});
   facts.push_back({"pixel jitter", s.jitter ? "on" : "off"});
-  if (job.shutter.is_open())
+  if (job.shutter.delays())
     facts.push_back({"the shutter", fmt::format("open from {} to {}", job.shutter.open, job.shutter.close)});
   facts.push_back({"texture filtering", s.filter_textures ? "on" : "off"});
   if (const float scale = job.description->options.displacement_edge_scale; scale != 1)

@@ -124,7 +124,7 @@ float shutter_seconds(const SceneDescription& description) {
 Shutter shutter_of(const SceneDescription& description, const Choices& choices, Diagnostics& diagnostics) {
   const Shutter of_camera = shutter_of(description, diagnostics);
   const Shutter wanted = choices.shutter ? Shutter{0, *choices.shutter} : of_camera;
-  return moves(description) ? wanted : Shutter{};
+  return what_moves(description).empty() ? Shutter{} : wanted;
 }
 
 /// Returns the command line's accelerator, else the scene's if dspm has it; pbrt's trees change nothing in the image.

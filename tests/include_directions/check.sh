@@ -13,7 +13,7 @@ done
 find "${folders[@]}" \( -name '*.h' -o -name '*.cpp' \) -print | LC_ALL=C sort | xargs awk '
 BEGIN {
   # Headers of a library, and the only files that may include them.
-  confined["^([a-z]mmintrin|arm_neon|simde/)"] = "^base/math/simd[.]"
+  confined["^([a-z]mmintrin|arm_neon|simde/)"] = "^base/(math/simd|grid/points_within)[.]"  # the latter for AVX-512
   confined["^(oneapi/)?tbb/"] = "^base/system/parallel[.]"
   confined["^(OpenEXR/|Imath/|Imf|Imath|half[.]h)"] = "^image/exr(_[a-z]+)?[.]"
   confined["^OpenColorIO/"] = "^image/ocio_view[.]"

@@ -127,6 +127,48 @@ DynamicEnd
     }
 }
 
+// pbrt's language: a camera or a thing that is elsewhere at the end of the shutter, and times of its own.
+TEST(Shutter, TransformsOfPbrtThatDifferBetweenTwoTimes) {
+  const auto scene = [](const std::string& camera, const std::string& before, const std::string& place) {
+    return fmt::format(R"(
+{}
+Integrator "path"
+PixelFilter "box"
+Film "rgb" "integer xresolution" 32 "integer yresolution" 8
+LookAt 0 0 -5  0 0 0  0 1 0
+{}
+Camera "orthographic" "float screenwindow" [-4 4 -1 1]
+WorldBegin
+{}
+AreaLightSource "diffuse" "rgb L" [1 1 1] "bool twosided" true
+Shape "bilinearmesh" "point3 P" [-.5 -2 0 .5 -2 0 -.5 2 0 .5 2 0]
+)",
+                       before, camera, place);
+  };
+  const auto expect_crossing = [](const std::string& text, double from, double speed) {
+    const Image image = TestScene(text, "test.pbrt").render(FileFrame(0), 1024);
+    for (int x = 0; x < 32; ++x) {
+      const double left = -4 + x * 0.25;
+      const double expected = mean(left, left + 0.25, [&](double at) {
+        const double a = (at - 0.5 - from) / speed, b = (at + 0.5 - from) / speed;
+        return std::max(0., std::min(1., std::max(a, b)) - std::max(0., std::min(a, b)));
+      });
+      EXPECT_NEAR(brightness(image, x), expected, 0.01) << text << ", pixel " << x;
+    }
+  };
+  const std::string goes =
+      "ActiveTransform StartTime Translate -2 0 0 ActiveTransform EndTime Translate 2 0 0 "
+      "ActiveTransform All";
+  expect_crossing(scene("", "", goes), -2, 4);
+  expect_crossing(scene("", "TransformTimes 0 2", goes), -2, 2);
+  // The camera looks along z from -5; it goes to the right, and with it the screen.
+  expect_crossing(scene("ActiveTransform EndTime Translate -2 0 0 ActiveTransform All", "", ""), 0, -2);
+  expect_crossing(scene("", "",
+                        "ObjectBegin \"o\" ObjectEnd AttributeBegin " + goes +
+                            " CoordinateSystem \"there\" AttributeEnd CoordSysTransform \"there\""),
+                  -2, 4);
+}
+
 TEST(Shutter, LampThatFades) {
   const char* const lamp = R"(
 AreaLightSource "diffuse" "rgb L@1" [0 0 0] "rgb L@2" [2 4 0] "bool twosided" true

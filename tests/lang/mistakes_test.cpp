@@ -200,14 +200,14 @@ const Mistake kTransforms[] = {
      "    2 | CoordSysTransform \"camrea\"\n"
      "      |                   ^~~~~~~~\n"
      "  did you mean \"camera\"?\n"},
-    {"WorldBegin\nActiveTransform EndTime\nScale 2 2 2\nScale 2 2 2",
-     "scene.dsc:3:1: error: motion blur (a transform for one end of the shutter interval) is not supported yet\n"
-     "    3 | Scale 2 2 2\n"
+    {"WorldBegin\nActiveTransform EndTime\nScale 2 2 2\nShape \"sphere\"",
+     "scene.dsc:4:1: error: this Shape moves, but is not in a Dynamic block\n"
+     "    4 | Shape \"sphere\"\n"
      "      | ^~~~~\n"
-     "  with --lenient, everything stays where it is when the shutter opens\n"},
-    {"TransformTimes 0 1\nWorldBegin",
-     "scene.dsc:1:1: note: TransformTimes has no effect: motion blur is not supported yet\n"
-     "    1 | TransformTimes 0 1\n"
+     "  put it and its keys between DynamicBegin \"a name\" and DynamicEnd\n"},
+    {"TransformTimes 1 1\nWorldBegin",
+     "scene.dsc:1:1: error: the second time of TransformTimes must be after the first\n"
+     "    1 | TransformTimes 1 1\n"
      "      | ^~~~~~~~~~~~~~\n"},
 };
 INSTANTIATE_TEST_SUITE_P(Transforms, Mistakes, testing::ValuesIn(kTransforms));

@@ -241,21 +241,29 @@ TEST(Scene, SaysWhenTheSecondReplacesTheFirst) {
             "scene.dsc:2:1: warning: this Film replaces the one on line 1\n    2 | Film \"spectral\"\n      | ^~~~\n");
 }
 
-TEST(Scene, WithLenientMotionBlurIsLeftOut) {
-  const std::string text = R"(WorldBegin
+TEST(Scene, ActiveTransformMovesWhatFollows) {
+  const Parsed parsed = parse(R"(TransformTimes 2 4
+    ActiveTransform EndTime LookAt 1 0 0  1 0 1  0 1 0  ActiveTransform All
+    Camera "perspective"
+    WorldBegin
     ActiveTransform StartTime  Translate 1 0 0
     ActiveTransform EndTime    Translate 5 0 0
     ActiveTransform All        Translate 0 2 0
-    Shape "sphere")";
-  EXPECT_EQ(parse(text).diagnostics.error_count(), 2);
-  const Parsed lenient = parse(text, {}, "scene.dsc", true);
-  EXPECT_EQ(lenient.diagnostics.error_count(), 0);
-  EXPECT_EQ(lenient.diagnostics.all().size(), 2u);
-  expect_near(placement(lenient.scene.shapes.at(0)), Matrix4::translate(1, 2, 0));
+    Shape "sphere")",
+                              {}, "scene.pbrt");
+  EXPECT_EQ(parsed.messages(), "");
+  const Motion& moving = parsed.scene.shapes.at(0).world_from_object;
+  expect_near(moving.at(Moment(1)), Matrix4::translate(1, 2, 0));
+  expect_near(moving.at(Moment(2)), Matrix4::translate(1, 2, 0));
+  expect_near(moving.at(Moment(3)), Matrix4::translate(3, 2, 0));
+  expect_near(moving.at(Moment(5)), Matrix4::translate(5, 2, 0));
+  expect_near(parsed.scene.camera->camera_from_world.at(Moment(3)), Matrix4::translate(-0.5, 0, 0));
 }
 
-TEST(Scene, ActiveTransformWithoutDifferenceIsNoBlur) {
-  good("WorldBegin ActiveTransform EndTime ActiveTransform All Translate 1 0 0 Shape \"sphere\"");
+TEST(Scene, ActiveTransformWithoutDifferenceMovesNothing) {
+  const SceneDescription scene =
+      good("WorldBegin ActiveTransform EndTime ActiveTransform All Translate 1 0 0 Shape \"sphere\"");
+  EXPECT_FALSE(scene.shapes.at(0).world_from_object.is_keyed());
 }
 
 }  // namespace
