@@ -70,7 +70,8 @@ Shutter shutter_of(const SceneDescription& scene, Diagnostics& diagnostics) {
   const bool is_pbrt = scene.dialect == Dialect::pbrt;
   const bool has_frames = scene.frames_where.file != nullptr;
   Shutter shutter;
-  if (is_pbrt && !has_frames) shutter.close = 1;
+  if (is_pbrt && has_frames) return shutter;  // pbrt's seconds only expose the film
+  if (is_pbrt) shutter.close = 1;
   if (!scene.camera) return shutter;
   const CameraUse& camera = *scene.camera;
   if (const auto open = number_of(camera, kOpen, diagnostics)) shutter.open = *open;

@@ -19,7 +19,7 @@ struct Shutter {
 };
 
 /// Returns the shutter of the scene's camera; reports one that cannot be. It stays closed if the camera does not say
-/// otherwise, but for scenes in pbrt's language, whose cameras have one from 0 to 1.
+/// otherwise. In pbrt's language it is open from 0 to 1 by default, and closed in files with frames, which pbrt has not.
 Shutter shutter_of(const SceneDescription& scene, Diagnostics& diagnostics);
 
 /// Returns what has keys, and so may be elsewhere or look different a while after a frame's moment: "the camera", "3 shapes".

@@ -93,8 +93,8 @@ std::optional<PrimitiveHit> Curves::intersect(int primitive, const Ray& ray) con
   std::optional<PrimitiveHit> nearest;
   if (!piece(primitive).may_meet(ray)) return nearest;
   for_each_passage(segment(primitive), piece(primitive), ray, [&](const Passage& passage) {
-    const auto hit = type_ == CurveType::ribbon ? ribbon_hit(piece(primitive).segment, passage, ray)
-                                                : facing_hit(segment(primitive), passage, ray);
+    const auto hit =
+        type_ == CurveType::ribbon ? ribbon_hit(primitive, passage, ray) : facing_hit(segment(primitive), passage, ray);
     if (hit && (!nearest || hit->t < nearest->t)) nearest = hit;
   });
   return nearest;
@@ -106,8 +106,9 @@ std::optional<PrimitiveHit> Curves::facing_hit(const CurveSegment& segment, cons
 }
 
 /// Takes the ribbon for flat around the passage. The ray meets its plane further along the curve and across it than the
-/// passage.
-std::optional<PrimitiveHit> Curves::ribbon_hit(std::uint32_t number, const Passage& at, const Ray& ray) const {
+/// passage; outside of the piece's box, where no tree looks for it, it meets nothing.
+std::optional<PrimitiveHit> Curves::ribbon_hit(int primitive, const Passage& at, const Ray& ray) const {
+  const std::uint32_t number = piece(primitive).segment;
   const DoubleVec3 d = widen(ray.direction), tangent = direction_at(segments_[number], at.u);
   const DoubleVec3 normal = perpendicular(normals_[number].between(at.u), tangent), side = cross(normal, tangent);
   const double slope = dot(normal, d);
@@ -116,6 +117,9 @@ std::optional<PrimitiveHit> Curves::ribbon_hit(std::uint32_t number, const Passa
   const DoubleVec3 from_center = d * t - at.place.p;
   const double across = dot(from_center, side), width = segments_[number].width_at(at.u);
   if (!(std::abs(across) <= width / 2)) return std::nullopt;
+  const Vec3 p = ray.at(static_cast<float>(t));
+  if (const Bounds3 box = bounds(primitive); min(p, box.low) != box.low || max(p, box.high) != box.high)
+    return std::nullopt;
   const double speed = length(at.place.d1), along = speed > 0 ? dot(from_center, tangent) / speed : 0;
   return hit_at(t, std::clamp(at.u + along, 0.0, 1.0), 0.5 + across / width, ray);
 }

@@ -45,7 +45,7 @@ class Curves final : public Shape {
   const CurvePiece& piece(int primitive) const { return pieces_[static_cast<std::size_t>(primitive)]; }
   const CurveSegment& segment(int primitive) const { return segments_[piece(primitive).segment]; }
   std::optional<PrimitiveHit> facing_hit(const CurveSegment& segment, const Passage& passage, const Ray& ray) const;
-  std::optional<PrimitiveHit> ribbon_hit(std::uint32_t segment, const Passage& passage, const Ray& ray) const;
+  std::optional<PrimitiveHit> ribbon_hit(int primitive, const Passage& passage, const Ray& ray) const;
   SurfacePoint facing_point(const CurveSegment& segment, Vec2 uv, const Vec3& direction) const;
   SurfacePoint ribbon_point(std::uint32_t segment, Vec2 uv) const;
 
