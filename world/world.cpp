@@ -128,8 +128,10 @@ struct World::Impl {
     if (whole && geometry.shapes().empty()) diagnostics.warning({}, "the scene has no shape");
     if (whole && text.lights.empty() && geometry.emitters().empty())
       diagnostics.warning({}, "the scene has no light: its images will be black");
-    sphere = sphere_around(geometry.bounds());
-    lights = make_lights(text, geometry, looks, sphere, diagnostics);
+    const bool fits = sooner != nullptr && is_within(geometry.bounds(), sooner->sphere);
+    sphere = fits ? sooner->sphere : sphere_around(geometry.bounds());
+    lights = make_lights(text, geometry, looks, sphere, sooner != nullptr ? sooner->lights : std::vector<WorldLight>(),
+                         diagnostics);
     if (diagnostics.error_count() == 0) {
       light_choices = sooner != nullptr ? make_light_choices(lights, sooner->light_choices)
                                         : make_light_choices(lights, text.frames.base().count(), text.frames.count());

@@ -12,23 +12,15 @@
 namespace dspm {
 namespace {
 
-constexpr float kLeeway = 1e-5f;  // relative, for rounding
 constexpr std::size_t kNamesListed = 5;
 constexpr const char* kWayOut =
     "one choice of lights and one sphere serve all frames of a checkpoint, and those that it has must keep theirs; let "
     "--variation or --frames choose the other frames here, and these in a run of their own, without --resume";
 
-bool is_within(const Bounds3& box, const BoundingSphere& sphere) {
-  const Vec3 far{std::max(std::abs(box.low.x - sphere.center.x), std::abs(box.high.x - sphere.center.x)),
-                 std::max(std::abs(box.low.y - sphere.center.y), std::abs(box.high.y - sphere.center.y)),
-                 std::max(std::abs(box.low.z - sphere.center.z), std::abs(box.high.z - sphere.center.z))};
-  return length(far) <= sphere.radius * (1 + kLeeway);
-}
-
 bool is_within(const WorldShape& shape, const BoundingSphere& sphere) {
   Bounds3 box;
   for (int i = 0; i < shape.placed.shape->primitive_count(); ++i) box.add(shape.placed.bounds(i));
-  return box.empty() || is_within(box, sphere);
+  return is_within(box, sphere);
 }
 
 /// Collects faults, and the frames that have them.

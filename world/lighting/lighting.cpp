@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
@@ -11,6 +12,7 @@
 #include "dspm/lights/emission_pattern.h"
 #include "dspm/lights/light_group.h"
 #include "dspm/world/objects/likeness.h"
+#include "dspm/world/objects/param_key.h"
 #include "dspm/world/objects/placement_check.h"
 #include "dspm/world/objects/same_in_all_frames.h"
 #include "dspm/world/objects/variations.h"
@@ -35,8 +37,11 @@ struct LightState {
 class LightMaker {
  public:
   LightMaker(const SceneDescription& description, const Geometry& geometry, const Looks& looks,
-             const BoundingSphere& sphere, Diagnostics& diagnostics)
-      : description_(description), geometry_(geometry), looks_(looks), sphere_(sphere), diagnostics_(diagnostics) {}
+             const BoundingSphere& sphere, const std::vector<WorldLight>& sooner, Diagnostics& diagnostics)
+      : description_(description), geometry_(geometry), looks_(looks), sphere_(sphere), diagnostics_(diagnostics) {
+    for (const WorldLight& light : sooner)
+      for (std::size_t s = 0; s < light.keys.size(); ++s) known_.emplace(light.keys[s], light.states.states[s]);
+  }
 
   /// Makes the light for the frames in which it, or what variations put in its place, is of that type.
   std::optional<WorldLight> make(const LightUse& own, const PluginUse& typed) {
@@ -169,18 +174,29 @@ class LightMaker {
           controls.caustics != light.controls.caustics)
         diagnostics_.error(place,
                            "\"photons\", \"caustics\" and \"group\" must be those of the light that it replaces");
-      light.states.states.emplace_back(state.pattern ? make_diffuse_area(reader, context, state.pattern)
-                                                     : plugin.make(reader, context));
+      light.keys.push_back(key_of(plugin, state));
+      const auto known = state.shape < 0 ? known_.find(light.keys.back()) : known_.end();
+      light.states.states.emplace_back(known != known_.end() ? known->second
+                                       : state.pattern       ? make_diffuse_area(reader, context, state.pattern)
+                                                             : plugin.make(reader, context));
       if (diagnostics_.error_count() > errors) return std::nullopt;
       light.powers.push_back(luminance(light.states.states.back()->power()));
     }
     return light;
   }
 
+  ContentKey key_of(const Plugin<MakeLight>& plugin, const LightState& state) const {
+    ContentKey key(plugin.name);
+    add(key, state.params);
+    key.add_bytes_of(state.placement), key.add_bytes_of(sphere_);
+    return key;
+  }
+
   const SceneDescription& description_;
   const Geometry& geometry_;
   const Looks& looks_;
   BoundingSphere sphere_;
+  std::map<ContentKey, std::shared_ptr<const Light>> known_;
   Diagnostics& diagnostics_;
 };
 
@@ -286,8 +302,9 @@ void share_out(std::vector<WorldLight>& lights, int base, Diagnostics& diagnosti
 }  // namespace
 
 std::vector<WorldLight> make_lights(const SceneDescription& description, const Geometry& geometry, const Looks& looks,
-                                    const BoundingSphere& sphere, Diagnostics& diagnostics) {
-  LightMaker maker(description, geometry, looks, sphere, diagnostics);
+                                    const BoundingSphere& sphere, const std::vector<WorldLight>& sooner,
+                                    Diagnostics& diagnostics) {
+  LightMaker maker(description, geometry, looks, sphere, sooner, diagnostics);
   std::vector<WorldLight> lights;
   // One that cannot be made leaves an empty slot, so that emitters keep their numbers; its error stops the scene.
   for (const LightUse& own : description.lights)

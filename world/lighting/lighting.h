@@ -9,14 +9,16 @@
 #include "dspm/lights/light.h"
 #include "dspm/lights/photon_controls.h"
 #include "dspm/world/lighting/bounding_sphere.h"
+#include "dspm/world/objects/content_key.h"
 #include "dspm/world/objects/geometry.h"
 
 namespace dspm {
 
 struct WorldLight {
   Timeline<std::shared_ptr<const Light>> states;
-  std::vector<float> powers;  // by state: luminance
-  float probability = 0;      // in proportion to the mean power over the base of the file's frames
+  std::vector<float> powers;     // by state: luminance
+  std::vector<ContentKey> keys;  // by state: what it is made of
+  float probability = 0;         // in proportion to the mean power over the base of the file's frames
   PhotonControls controls;
   std::string group;
   std::optional<LightBounds> bounds;    // of the states over the base, together; nullopt: some of them light everything
@@ -34,9 +36,11 @@ struct WorldLight {
   }
 };
 
-/// Returns the directives' lights, then the geometry's emitters in their order.
+/// Returns the directives' lights, then the geometry's emitters in their order. Those that are no shape's are shared with
+/// `sooner`, lights of the same scene at another time, if they are made of the same; it may be empty.
 std::vector<WorldLight> make_lights(const SceneDescription& description, const Geometry& geometry, const Looks& looks,
-                                    const BoundingSphere& sphere, Diagnostics& diagnostics);
+                                    const BoundingSphere& sphere, const std::vector<WorldLight>& sooner,
+                                    Diagnostics& diagnostics);
 
 /// Returns SceneLight::alike of a light in the scene of these frames of the file.
 std::vector<SceneLight::Alike> alike_in(const WorldLight& light, const std::vector<FileFrame>& frames);
