@@ -5,7 +5,7 @@ set(public_headers
   accel/accel.h
   base/colour/colour_space.h base/colour/rgb.h base/colour/spectrum.h
   base/math/bins.h base/math/frame_array.h base/math/frames.h base/math/owen.h base/math/ray.h base/math/rng.h
-  base/math/sampling.h
+  base/math/sampling.h base/math/simd.h
   base/math/transform.h base/math/vec.h base/math/vertex_data.h
   base/params/errors.h base/params/params.h base/params/registry.h
   base/system/cancellation.h base/system/files_read.h base/system/parallel.h base/system/state_stream.h
@@ -19,7 +19,7 @@ set(public_headers
   integrators/rejections.h integrators/seen_light.h integrators/statistics.h integrators/summed_iterations.h
   integrators/summing_integrator.h integrators/tiles.h
   lang/file_frames.h
-  lights/light.h lights/light_bounds.h lights/light_tree.h
+  lights/four_lamps.h lights/light.h lights/light_bounds.h lights/light_tree.h
   materials/bsdf.h materials/interior.h materials/material.h materials/material_set.h materials/microfacet.h
   materials/parameters.h materials/shading_frame.h
   session/job/choices.h
@@ -35,7 +35,7 @@ set(toolkit_headers
   accel/box_ray.h accel/cut_query.h accel/hits.h accel/meet.h
   base/colour/rgb_lanes.h
   base/grid/buffer.h base/grid/point_grid.h base/grid/points_within.h
-  base/math/frame_lanes.h base/math/rounded.h base/math/simd.h
+  base/math/frame_lanes.h base/math/rounded.h
   cameras/blades.h cameras/projection.h
   integrators/guiding/emission_of_file.h integrators/guiding/file_sample.h integrators/guiding/learn_direct.h
   integrators/guiding/learn_emission.h integrators/guiding/pilot_paths.h

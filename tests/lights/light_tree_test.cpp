@@ -72,7 +72,7 @@ TEST(LightTree, ChoosesAsOftenAsItSays) {
         for (int i = 0; i < kNumbers; ++i) {
           int all = 0;
           tree.choose(at, samples, (i + 0.5) / kNumbers, [&](int lamp, float probability, int here, float within) {
-            EXPECT_NEAR(probability, tree.probability(at, lamp), 1e-5f * probability + 1e-7f);
+            EXPECT_EQ(probability, tree.probability(at, lamp));
             EXPECT_GE(within, 0);
             EXPECT_LT(within, 1);
             chosen[static_cast<std::size_t>(lamp)] += here, all += here;
