@@ -31,11 +31,14 @@ void read_window(ParamReader& reader, Screen& screen) {
 
 // lang/shutter.h says when iterations are, and Job::exposure how bright images are for it.
 void read_shutter(ParamReader& reader) {
-  reader.number("shutteropen", 0, "frames",
-                "when the shutter opens, after the moment of each frame; in .pbrt files, in seconds, by which images "
-                "are multiplied until it closes");
-  reader.number("shutterclose", 0, "frames",
-                "when it closes; in .pbrt files 1 unless given: what moves until then blurs");
+  reader.number(
+      "shutteropen", 0, "frames",
+      "when the shutter opens, after the moment of each frame; in .pbrt files in seconds: images are multiplied by "
+      "those until it closes");
+  reader.number(
+      "shutterclose", 0, "frames",
+      "when it closes: what moves until then blurs; in .pbrt files 1 unless given: images are multiplied by the "
+      "seconds since it opened");
 }
 
 Ray ThinLens::through(const Ray& central, Vec2 u) const {
