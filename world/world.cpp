@@ -19,6 +19,7 @@
 #include "dspm/world/objects/in_frame.h"
 #include "dspm/world/objects/likeness.h"
 #include "dspm/world/objects/param_key.h"
+#include "dspm/world/objects/params_at.h"
 #include "dspm/world/objects/placement_check.h"
 #include "dspm/world/objects/texture_cutout.h"
 #include "dspm/world/objects/variations.h"
@@ -54,8 +55,7 @@ Timeline<std::shared_ptr<const Camera>> make_camera(const SceneDescription& desc
       [&](FileFrame f) -> std::optional<State> {
         const CameraUse& use = camera_use(description, f);
         const Moment moment = description.frames.moment(f);
-        return State{&use, use.params.is_keyed() ? use.params.at(moment) : use.params,
-                     use.camera_from_world.at(moment)};
+        return State{&use, params_at(use.params, description.frames, moment), use.camera_from_world.at(moment)};
       },
       [](const State& a, const State& b) {
         return a.camera_from_world == b.camera_from_world && a.use->type == b.use->type &&

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include "dspm/base/params/errors.h"
 #include "dspm/testing/agreement.h"
@@ -12,6 +13,7 @@
 #include "dspm/testing/test_scene.h"
 #include "tests/integrators/box_scene.h"
 #include "tests/support/seeds.h"
+#include "tests/support/temporary_directory.h"
 
 namespace dspm::test {
 namespace shutter_test {
@@ -179,6 +181,25 @@ Shape "bilinearmesh" "point3 P" [-9 -9 0 9 -9 0 -9 9 0 9 9 0]
     EXPECT_NEAR(static_cast<double>(image.at(x, 4).r), 0.5, 0.005);
     EXPECT_NEAR(brightness(image, x), 1, 0.01);
   }
+}
+
+// There are no files between those of frames, nor before the first.
+TEST(Shutter, SequencesOfFilesShowOneFileAFrame) {
+  const TemporaryDirectory directory;
+  for (const int frame : {1, 2})
+    std::ofstream(directory / fmt::format("wall.{}.ply", frame))
+        << "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+           "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+        << (frame == 1 ? "-99 -99 0\n99 -99 0\n0 99 0\n" : "-99 -99 0\n0 -99 0\n-99 99 0\n") << "3 0 1 2\n";
+  const std::string text = flat(R"("float shutteropen" -0.5 "float shutterclose" 1.5)", R"(
+DynamicBegin "wall"
+  AreaLightSource "diffuse" "rgb L" [1 1 1] "bool twosided" true
+  Shape "plymesh" "string filename" "wall.%d.ply"
+DynamicEnd
+)");
+  const Image first = TestScene(text, directory / "test.dsc").render(FileFrame(0), 16);
+  for (const int x : {0, 31}) EXPECT_EQ(brightness(first, x), 1);
+  EXPECT_EQ(brightness(TestScene(text, directory / "test.dsc").render(FileFrame(1), 16), 31), 0);
 }
 
 TEST(Shutter, ClosedIfNothingMovesOrNothingIsAskedFor) {

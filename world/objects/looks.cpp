@@ -10,6 +10,7 @@
 #include "dspm/base/math/frames.h"
 #include "dspm/base/params/params.h"
 #include "dspm/materials/mix.h"
+#include "dspm/world/objects/params_at.h"
 
 namespace dspm {
 namespace {
@@ -45,9 +46,9 @@ struct Source {
     add_ingredients(all, numbers), add_ingredients(all, colours), add_ingredients(all, materials);
     return all.number();
   }
-  Recipe recipe() const {
+  Recipe recipe(const FileFrames& frames) const {
     return {use.plugin,
-            use.plugin->params.is_keyed() ? use.plugin->params.at(moment) : use.plugin->params,
+            params_at(use.plugin->params, frames, moment),
             use.motion ? use.motion->at(moment) : Matrix4(),
             numbers,
             colours,
@@ -146,7 +147,7 @@ Timeline<Recipe> Looks::recipes_of(const Definition& definition) const {
   std::vector<int> recipe_of;
   for (const Source& source : sources.states)
     recipe_of.push_back(recipes.place(
-        source.recipe(), index, [](const Recipe& a, const Recipe& b) { return a == b; }, likeness_of));
+        source.recipe(frames), index, [](const Recipe& a, const Recipe& b) { return a == b; }, likeness_of));
   for (const int source : sources.state_of) recipes.state_of.push_back(recipe_of[static_cast<std::size_t>(source)]);
   return recipes;
 }

@@ -12,6 +12,7 @@
 #include "dspm/base/params/params.h"
 #include "dspm/lang/description.h"
 #include "dspm/world/objects/likeness.h"
+#include "dspm/world/objects/params_at.h"
 #include "dspm/world/objects/timeline.h"
 
 namespace dspm {
@@ -20,7 +21,7 @@ namespace dspm {
 inline Timeline<ParamList> param_states(ParamList params, const FileFrames& frames, const std::vector<bool>& present) {
   if (params.is_keyed())
     return Timeline<ParamList>::of_moments(
-        frames, present, [&](Moment moment) { return params.at(moment); },
+        frames, present, [&](Moment moment) { return params_at(params, frames, moment); },
         [](const ParamList& a, const ParamList& b) { return a.same_values(b); },
         [](const ParamList& list) { return Likeness().add(list).number(); });
   Timeline<ParamList> line;

@@ -4,6 +4,7 @@
 
 #include "dspm/base/math/frames.h"
 #include "dspm/base/params/params.h"
+#include "dspm/world/objects/params_at.h"
 
 namespace dspm {
 namespace {
@@ -27,8 +28,6 @@ std::vector<bool> shown_along(const VariationAxis& axis, const std::string& bloc
   }
   return shown;
 }
-
-ParamList at_moment(const ParamList& params, Moment moment) { return params.is_keyed() ? params.at(moment) : params; }
 
 float scale_of(const LightScale& scale, Moment moment) {
   return numbers_of(*scale.params.at(moment).find("scale")).front();
@@ -90,7 +89,7 @@ std::vector<bool> presence(const SceneDescription& scene, int dynamic_block) {
 
 ParamList light_params(const SceneDescription& scene, const PluginUse& use, const std::string& name, FileFrame frame) {
   const Moment moment = scene.frames.moment(frame);
-  ParamList params = at_moment(use.params, moment);
+  ParamList params = params_at(use.params, scene.frames, moment);
   const float factor = name.empty() ? 1 : factor_of(scene, name, frame);
   if (factor == 1) return params;
   auto scale = std::find_if(params.params.begin(), params.params.end(),
