@@ -130,8 +130,7 @@ struct World::Impl {
       diagnostics.warning({}, "the scene has no light: its images will be black");
     const bool fits = sooner != nullptr && is_within(geometry.bounds(), sooner->sphere);
     sphere = fits ? sooner->sphere : sphere_around(geometry.bounds());
-    lights = make_lights(text, geometry, looks, sphere, sooner != nullptr ? sooner->lights : std::vector<WorldLight>(),
-                         diagnostics);
+    lights = make_lights(text, geometry, looks, sphere, sooner != nullptr ? &sooner->lights : nullptr, diagnostics);
     if (diagnostics.error_count() == 0) {
       light_choices = sooner != nullptr ? make_light_choices(lights, sooner->light_choices)
                                         : make_light_choices(lights, text.frames.base().count(), text.frames.count());

@@ -37,9 +37,10 @@ struct LightState {
 class LightMaker {
  public:
   LightMaker(const SceneDescription& description, const Geometry& geometry, const Looks& looks,
-             const BoundingSphere& sphere, const std::vector<WorldLight>& sooner, Diagnostics& diagnostics)
+             const BoundingSphere& sphere, const std::vector<WorldLight>* sooner, Diagnostics& diagnostics)
       : description_(description), geometry_(geometry), looks_(looks), sphere_(sphere), diagnostics_(diagnostics) {
-    for (const WorldLight& light : sooner)
+    if (sooner == nullptr) return;
+    for (const WorldLight& light : *sooner)
       for (std::size_t s = 0; s < light.keys.size(); ++s) known_.emplace(light.keys[s], light.states.states[s]);
   }
 
@@ -302,7 +303,7 @@ void share_out(std::vector<WorldLight>& lights, int base, Diagnostics& diagnosti
 }  // namespace
 
 std::vector<WorldLight> make_lights(const SceneDescription& description, const Geometry& geometry, const Looks& looks,
-                                    const BoundingSphere& sphere, const std::vector<WorldLight>& sooner,
+                                    const BoundingSphere& sphere, const std::vector<WorldLight>* sooner,
                                     Diagnostics& diagnostics) {
   LightMaker maker(description, geometry, looks, sphere, sooner, diagnostics);
   std::vector<WorldLight> lights;

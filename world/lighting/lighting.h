@@ -37,9 +37,9 @@ struct WorldLight {
 };
 
 /// Returns the directives' lights, then the geometry's emitters in their order. Those that are no shape's are shared with
-/// `sooner`, lights of the same scene at another time, if they are made of the same; it may be empty.
+/// `sooner`, lights of the same scene at another time, if they are made of the same; it may be null.
 std::vector<WorldLight> make_lights(const SceneDescription& description, const Geometry& geometry, const Looks& looks,
-                                    const BoundingSphere& sphere, const std::vector<WorldLight>& sooner,
+                                    const BoundingSphere& sphere, const std::vector<WorldLight>* sooner,
                                     Diagnostics& diagnostics);
 
 /// Returns SceneLight::alike of a light in the scene of these frames of the file.
