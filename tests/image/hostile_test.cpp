@@ -11,6 +11,7 @@
 #include "dspm/image/image.h"
 #include "dspm/image/png.h"
 #include "tests/image/exr_by_hand.h"
+#include "tests/support/seeds.h"
 #include "tests/support/temporary_directory.h"
 
 namespace dspm {
@@ -72,7 +73,7 @@ TEST(Hostile, FilesAlteredAtRandom) {
   const TemporaryDirectory directory;
   std::mt19937 random(2);
   for (const std::string& bytes : valid_files(directory)) {
-    for (int round = 0; round < 600; ++round) {
+    for (int round = 0; round < test::seeds(300); ++round) {
       std::string altered = bytes;
       for (unsigned n = random() % 4 + 1; n > 0; --n) {
         // Headers are where sizes stand, so half of the changes go there.

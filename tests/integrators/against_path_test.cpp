@@ -104,13 +104,13 @@ struct Way {
   int iterations;
 };
 constexpr Way kWays[] = {
-    {R"("sppm" "string estimator" "hj09" "integer photons" 20000 "float radius" 0.03)", 2},
-    {R"("dsppm" "string estimator" "kz11" "integer photons" 20000 "float radius" 0.03)", 2},
-    {R"("dsppm" "string direct" "photons" "integer photons" 20000 "float radius" 0.03)", 2},
-    {R"("dsppm" "string estimator" "hj09" "string direct" "sampled" "integer photons" 20000 "float radius" 0.03)", 2},
-    {R"("photonmap" "integer photons" 30000 "integer causticphotons" 20000 "float radius" 0.06 "float causticradius" 0.03)",
+    {R"("sppm" "string estimator" "hj09" "integer photons" 12000 "float radius" 0.03)", 2},
+    {R"("dsppm" "string estimator" "kz11" "integer photons" 12000 "float radius" 0.03)", 2},
+    {R"("dsppm" "string direct" "photons" "integer photons" 12000 "float radius" 0.03)", 2},
+    {R"("dsppm" "string estimator" "hj09" "string direct" "sampled" "integer photons" 12000 "float radius" 0.03)", 2},
+    {R"("photonmap" "integer photons" 18000 "integer causticphotons" 12000 "float radius" 0.06 "float causticradius" 0.03)",
      1},
-    {R"("photonmap" "integer finalgather" 4 "integer photons" 30000 "integer causticphotons" 20000 "float radius" 0.06
+    {R"("photonmap" "integer finalgather" 4 "integer photons" 18000 "integer causticphotons" 12000 "float radius" 0.06
   "float causticradius" 0.03)",
      1}};
 constexpr double kLevel = 0.01 / static_cast<double>(std::size(kCases) * std::size(kWays));  // 1% for all together

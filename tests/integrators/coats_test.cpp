@@ -93,7 +93,7 @@ void expect_as_by_path(const std::string& light, int often) {
       {R"("dsppm" "integer photons" 3000 "float radius" .2 "string direct" "photons")", 12},
       {R"("vcm" "integer photons" 64)", 24},
   };
-  const int times = seeds(12);
+  const int times = seeds(8);
   const Tiles path = rendered(scene("\"path\"", light), 128 * often, times);
   for (const auto& [integrator, iterations] : integrators) {
     const Verdict verdict = agreement(rendered(scene(integrator, light), iterations, times), path, {0.01 / 24, 0.01});

@@ -35,16 +35,16 @@ INSTANTIATE_TEST_SUITE_P(
     Integrators, FurnaceOf,
     testing::Values(
         Case{R"("path" "integer maxdepth" 40)", 8},
-        Case{R"("sppm" "integer maxdepth" 40 "integer photons" 8000 "string estimator" "hj09")", 2},
-        Case{R"("sppm" "integer maxdepth" 40 "integer photons" 8000)", 2},
-        Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 8000 "string estimator" "hj09")", 2},
-        Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 8000 "string estimator" "kz11")", 2},
-        Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 8000 "string direct" "photons")", 2},
-        Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 8000 "string direct" "sampled")", 3},
-        Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 20000 "float radius" 0.2
+        Case{R"("sppm" "integer maxdepth" 40 "integer photons" 5000 "string estimator" "hj09")", 2},
+        Case{R"("sppm" "integer maxdepth" 40 "integer photons" 5000)", 2},
+        Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 5000 "string estimator" "hj09")", 2},
+        Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 5000 "string estimator" "kz11")", 2},
+        Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 5000 "string direct" "photons")", 2},
+        Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 5000 "string direct" "sampled")", 3},
+        Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 12000 "float radius" 0.2
 "integer causticphotons" 10000)",
              2},
-        Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 20000 "float radius" 0.2 "integer nearest" 5
+        Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 12000 "float radius" 0.2 "integer nearest" 5
 "integer causticphotons" 10000)",
              2},
         Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 20000 "integer finalgather" 1
@@ -53,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 20000 "integer finalgather" 4
 "integer causticphotons" 20000)",
              1},
-        Case{R"("vcm" "integer maxdepth" 40 "integer photons" 8000)", 2},
+        Case{R"("vcm" "integer maxdepth" 40 "integer photons" 5000)", 2},
         Case{R"("vcm" "integer maxdepth" 40 "bool merge" false)", 4}));
 
 class OpenFurnace : public testing::TestWithParam<const char*> {};

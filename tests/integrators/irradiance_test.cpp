@@ -9,7 +9,7 @@
 namespace dspm::test {
 namespace irradiance_test {
 
-constexpr int kMany = 30'000;  // where few photons reach what the camera sees
+constexpr int kMany = 20'000;  // where few photons reach what the camera sees
 
 // E = I cos / d^2, and cos = h / d.
 TEST(Irradiance, Point) {

@@ -39,13 +39,13 @@ TEST_P(OwnReferences, IntegratorsAgree) {
   const Tiles expected = read_blocks(GetParam());
   for (const Way& way : kWays) {
     const std::string options = fmt::format("Integrator {} \"integer maxdepth\" {}\n", way.integrator, kReferenceDepth);
-    expect_agreement(way.integrator, Reference(GetParam(), options).rendered(way.iterations, seeds(16)), expected,
+    expect_agreement(way.integrator, Reference(GetParam(), options).rendered(way.iterations, seeds(10)), expected,
                      kBlurOfBlocks, kBlurOfTheWhole);
   }
 }
 
 TEST_P(OwnReferences, LightTracerAgrees) {
-  expect_agreement("light tracer", Reference(GetParam(), "").light_traced(30'000, seeds(16)), read_blocks(GetParam()),
+  expect_agreement("light tracer", Reference(GetParam(), "").light_traced(30'000, seeds(10)), read_blocks(GetParam()),
                    0, 0);
 }
 

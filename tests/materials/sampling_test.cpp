@@ -13,7 +13,7 @@ TEST(Sampling, FollowsTheDensity) {
   const std::vector<Named> all = all_materials();
   for (const Named& each : all) {
     const Verdict verdict =
-        samples_follow_density(*each.material, 0.01 / static_cast<double>(all.size()), seed, seeds(10'000));
+        samples_follow_density(*each.material, 0.01 / static_cast<double>(all.size()), seed, seeds(6'000));
     EXPECT_TRUE(verdict.passed) << each.name << ": " << verdict.message;
     seed += 100;
   }
