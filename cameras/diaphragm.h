@@ -25,6 +25,7 @@ class Diaphragm {
   float share(Vec2 place) const;
   /// The radius of the circle outside of which it is dark.
   float reach() const;
+  friend bool operator==(const Diaphragm&, const Diaphragm&) = default;
 
  private:
   enum class Kind { circle, gaussian, square, polygon, picture };

@@ -16,6 +16,7 @@ struct LensSurface {
   float thickness = 0;  // to the next surface, or from the last one to the film
   float eta = 1;        // index of what follows; 0 is air, too
   float aperture = 0;   // radius of what light may pass
+  friend bool operator==(const LensSurface&, const LensSurface&) = default;
 };
 
 /// The film lies in the plane z = 0 and looks along +z, where the scene is.

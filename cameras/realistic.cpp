@@ -22,6 +22,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <utility>
 
@@ -51,34 +53,44 @@ struct FilmSize {
   Vec2 pixel() const { return {size.x / pixels.x, size.y / pixels.y}; }
   /// The largest distance from the axis, including what a pixel's filter reaches beyond the edge.
   float radius() const { return std::hypot(size.x, size.y) / 2 + 8 * pixel().x; }
+  bool operator==(const FilmSize& o) const {
+    return size.x == o.size.x && size.y == o.size.y && pixels.x == o.pixels.x && pixels.y == o.pixels.y;
+  }
 };
 
-class Realistic final : public Camera {
+/// The parameters, before the lens is made.
+struct Settings {
+  std::vector<LensSurface> surfaces;
+  Diaphragm diaphragm;
+  float focus_distance = 10;
+  bool relative = false;
+  friend bool operator==(const Settings&, const Settings&) = default;
+};
+
+/// The camera in its own space, wherever it is.
+class Optics {
  public:
   /// Takes a focused lens, with the film at that distance from its principal plane.
-  Realistic(const CameraContext& context, LensSystem lens, float to_film, bool relative)
-      : to_world_(context.to_world),
-        film_(context),
-        lens_(std::move(lens)),
-        pupil_(lens_, film_.radius()),
-        spacing_at_1_(mean_spacing(to_world_, film_.pixel() * (1 / to_film)) / length(to_world_.vector({0, 0, 1}))) {
+  Optics(const FilmSize& film, LensSystem lens, float to_film, bool relative)
+      : film_(film), lens_(std::move(lens)), to_film_(to_film), pupil_(lens_, film_.radius()) {
     if (const float middle = relative ? irradiance_in_the_middle() : 0; middle > 0) exposure_ = kPi / 4 / middle;
   }
 
-  Ray ray(Vec2 film, Vec2 lens) const override {
+  const FilmSize& film() const { return film_; }
+  float to_film() const { return to_film_; }
+
+  Ray ray(Vec2 film, Vec2 lens) const {
     const Start start = start_at(film, lens);
     const auto passage = lens_.from_film(start.ray);
-    return carried(to_world_, passage ? passage->ray : start.ray);
+    return passage ? passage->ray : start.ray;
   }
 
-  float weight(Vec2 film, Vec2 lens) const override {
+  float weight(Vec2 film, Vec2 lens) const {
     const Start start = start_at(film, lens);
     if (!(start.weight > 0)) return 0;
     const auto passage = lens_.from_film(start.ray);
     return passage ? start.weight * passage->share * exposure_ : 0;
   }
-
-  float pixel_spacing(float path_length) const override { return path_length * spacing_at_1_; }
 
  private:
   struct Start {
@@ -106,20 +118,29 @@ class Realistic final : public Camera {
     return sum / (kSide * kSide);
   }
 
-  Transform to_world_;
   FilmSize film_;
   LensSystem lens_;
+  float to_film_;
   ExitPupil pupil_;
-  float spacing_at_1_;  // of neighbouring pixels at distance 1, by the thick lens
   float exposure_ = 1;
 };
 
-/// The parameters, before the lens is made.
-struct Settings {
-  std::vector<LensSurface> surfaces;
-  Diaphragm diaphragm;
-  float focus_distance = 10;
-  bool relative = false;
+class Realistic final : public Camera {
+ public:
+  Realistic(const Transform& to_world, std::shared_ptr<const Optics> optics)
+      : to_world_(to_world),
+        optics_(std::move(optics)),
+        spacing_at_1_(mean_spacing(to_world_, optics_->film().pixel() * (1 / optics_->to_film())) /
+                      length(to_world_.vector({0, 0, 1}))) {}
+
+  Ray ray(Vec2 film, Vec2 lens) const override { return carried(to_world_, optics_->ray(film, lens)); }
+  float weight(Vec2 film, Vec2 lens) const override { return optics_->weight(film, lens); }
+  float pixel_spacing(float path_length) const override { return path_length * spacing_at_1_; }
+
+ private:
+  Transform to_world_;
+  std::shared_ptr<const Optics> optics_;
+  float spacing_at_1_;  // of neighbouring pixels at distance 1, by the thick lens
 };
 
 std::vector<LensSurface> read_lens(ParamReader& reader, const std::filesystem::path& file) {
@@ -176,23 +197,44 @@ Settings read_settings(ParamReader& reader) {
   reader.finish();
   settings.surfaces = read_lens(reader, file);
   set_stop(reader, settings.surfaces, stop);
+  if (settings.surfaces.empty()) settings.surfaces = {{0, 1, 1, 1}};  // after an error
   return settings;
 }
 
-}  // namespace
-
-std::unique_ptr<Camera> make_realistic(ParamReader& reader, const CameraContext& context) {
-  Settings settings = read_settings(reader);
-  if (settings.surfaces.empty()) settings.surfaces = {{0, 1, 1, 1}};  // after an error
+std::shared_ptr<const Optics> make_optics(const Settings& settings, const FilmSize& film, ParamReader& reader) {
   const bool has_errors = reader.diagnostics().error_count() > 0;
-  LensSystem lens(std::move(settings.surfaces), std::move(settings.diaphragm));
+  LensSystem lens(settings.surfaces, settings.diaphragm);
   float to_film = 1;
   try {
     to_film = lens.focus(settings.focus_distance);
   } catch (const std::runtime_error& e) {
     if (!has_errors) reader.error("focusdistance", std::string("the lens cannot be focused: ") + e.what());
   }
-  return std::make_unique<Realistic>(context, std::move(lens), to_film, settings.relative);
+  return std::make_shared<const Optics>(film, std::move(lens), to_film, settings.relative);
+}
+
+/// Makes the optics, or returns those that were made last if they are the same: a camera that moves has a state for
+/// each frame, and its exit pupil takes thousands of rays.
+std::shared_ptr<const Optics> shared_optics(Settings settings, const FilmSize& film, ParamReader& reader) {
+  struct Made {
+    Settings settings;
+    std::weak_ptr<const Optics> optics;
+  };
+  static std::mutex mutex;
+  static Made last;
+  const std::lock_guard lock(mutex);
+  if (auto known = last.optics.lock(); known != nullptr && last.settings == settings && known->film() == film)
+    return known;
+  auto made = make_optics(settings, film, reader);
+  last = {std::move(settings), made};
+  return made;
+}
+
+}  // namespace
+
+std::unique_ptr<Camera> make_realistic(ParamReader& reader, const CameraContext& context) {
+  Settings settings = read_settings(reader);
+  return std::make_unique<Realistic>(context.to_world, shared_optics(std::move(settings), FilmSize(context), reader));
 }
 
 }  // namespace dspm
