@@ -61,6 +61,11 @@ class Accel {
   virtual FrameSet occluded(const Ray& ray, FrameSet frames) const = 0;
   /// The bytes that the tree holds, for the report before rendering.
   virtual std::size_t memory() const = 0;
+  /// Returns a tree over the shapes of the same frames at another time, or after an edit, that shares with this one what
+  /// is the same in both; this one and its shapes outlive it. Null: it shares nothing, a tree has to be made anew.
+  virtual std::unique_ptr<Accel> with(std::span<const PlacedShape> /*shapes*/, FrameSet /*all*/) const {
+    return nullptr;
+  }
 };
 
 /// `shapes` and the objects they point to must outlive the tree; `all` are the frames of the interval: a shape that

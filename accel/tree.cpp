@@ -83,11 +83,12 @@ std::size_t Tree::memory() const {
 }
 
 // Many small trees are built at the same time, large ones one after the other by all threads.
-MeshTrees::MeshTrees(BvhBuilder builder, std::span<const PlacedShape> shapes) : builder_(builder) {
+MeshTrees::MeshTrees(BvhBuilder builder, std::span<const PlacedShape> shapes, const MeshTrees* known)
+    : builder_(builder), known_(known) {
   constexpr int kLarge = 1 << 12;
   std::vector<std::pair<const Shape*, Own*>> small;
   for (const PlacedShape& placed : shapes) {
-    if (!has_own_tree(placed)) continue;
+    if (!has_own_tree(placed) || this->known(*placed.shape) != nullptr) continue;
     const auto [own, is_new] = trees_.try_emplace(placed.shape);
     if (is_new && placed.shape->primitive_count() < kLarge) small.emplace_back(placed.shape, &own->second);
   }
@@ -106,7 +107,14 @@ void MeshTrees::build(const Shape& mesh, Own& own) {
   own.tree = std::make_unique<const Tree>(std::span(&own.placed, 1), std::span(&first, 1), only, builder_, *this);
 }
 
+const Tree* MeshTrees::known(const Shape& mesh) const {
+  if (known_ == nullptr) return nullptr;
+  const auto found = known_->trees_.find(&mesh);
+  return found != known_->trees_.end() ? found->second.tree.get() : known_->known(mesh);
+}
+
 const Tree& MeshTrees::of(const Shape& mesh) {
+  if (const Tree* const made = known(mesh)) return *made;
   Own& own = trees_[&mesh];
   if (!own.tree) build(mesh, own);
   return *own.tree;

@@ -44,6 +44,9 @@ inline bool has_own_tree(const PlacedShape& shape) {
   return shape.in_object_space() && (shape.shape->triangles() || shape.shape->primitive_count() > 1);
 }
 
+/// Returns whether the shape's triangles lie in a tree as they are, among those of others.
+inline bool is_world_mesh(const PlacedShape& shape) { return shape.shape->triangles() && !shape.in_object_space(); }
+
 class Tree {
  public:
   Tree() = default;
@@ -51,6 +54,11 @@ class Tree {
   /// there in all of them, `builder` builds the tree; otherwise our own does, which knows frames.
   Tree(std::span<const PlacedShape> shapes, std::span<const int> which, FrameSet all, BvhBuilder builder,
        MeshTrees& meshes);
+
+  /// Returns this tree over other shapes, whose boxes it takes on: each of those that it holds is one of the same number
+  /// of primitives, in the same frames, stored in the same way. There must be no crowd.
+  Tree refitted(std::span<const PlacedShape> shapes, MeshTrees& meshes) const;
+  bool has_crowds() const { return !crowds_.empty(); }
 
   bool empty() const { return bvh_.nodes.empty(); }
   /// Offers the ray's hits to `query`, one of those in hits.h.
@@ -84,6 +92,8 @@ class Tree {
   class Builder;
 
   Placed placed_at(std::uint32_t leaf) const;
+  std::vector<Bounds3> move_packets(std::span<const PlacedShape> shapes);
+  std::vector<Bounds3> move_placed(std::span<const PlacedShape> shapes, MeshTrees& meshes);
 
   /// The shape whose own tree this is, if it is placed with holes, and the ray before it was transformed.
   struct CutOut {
@@ -113,8 +123,9 @@ class Tree {
 class MeshTrees {
  public:
   explicit MeshTrees(BvhBuilder builder) : builder_(builder) {}
-  /// Builds the trees of these shapes; afterwards, of() may be called by several threads.
-  MeshTrees(BvhBuilder builder, std::span<const PlacedShape> shapes);
+  /// Builds the trees of these shapes that `known` lacks; afterwards, of() may be called by several threads. `known` may
+  /// be null, else it outlives this.
+  MeshTrees(BvhBuilder builder, std::span<const PlacedShape> shapes, const MeshTrees* known = nullptr);
   const Tree& of(const Shape& mesh);
   std::size_t memory() const;
 
@@ -125,8 +136,10 @@ class MeshTrees {
   };
 
   void build(const Shape& mesh, Own& own);
+  const Tree* known(const Shape& mesh) const;
 
   BvhBuilder builder_;
+  const MeshTrees* known_ = nullptr;
   std::map<const Shape*, Own> trees_;  // lookups only, so addresses affect no result
 };
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "dspm/accel/crowd.h"
+#include "dspm/accel/placed_boxes.h"
 #include "dspm/accel/tree.h"
 #include "dspm/accel/tree_limits.h"
 #include "dspm/accel/triangle_pieces.h"
@@ -16,21 +17,6 @@ namespace {
 
 // From here on, Embree's builder is faster, even as it starts its threads.
 constexpr std::size_t kManyPieces = 5000;
-
-// Norm of a linear map, with vectors measured by their largest component.
-template <class Map>
-float norm(const Map& map) {
-  return max_component(abs(map(Vec3{1, 0, 0})) + abs(map(Vec3{0, 1, 0})) + abs(map(Vec3{0, 0, 1})));
-}
-
-// How much larger a rounding error in object space, or on the way there, can be in world space than one made there: the
-// condition number of the transform. Doubled, since the margins of object space come on top of it.
-float stretch_of(const Transform& t) {
-  return 2 * norm([&](const Vec3& v) { return t.vector(v); }) *
-         norm([&](const Vec3& v) { return t.inverse_vector(v); });
-}
-
-bool is_world_mesh(const PlacedShape& s) { return s.shape->triangles() && !s.in_object_space(); }
 
 }  // namespace
 
@@ -75,32 +61,20 @@ class Tree::Builder {
  private:
   const PlacedShape& shape(int s) const { return shapes_[static_cast<std::size_t>(s)]; }
 
-  /// The parts of a placed shape's boxes that are the same for all of its primitives, of which hair has millions.
-  struct ToWorld {
-    explicit ToWorld(const PlacedShape& placed)
-        : transform(placed.to_world),
-          is_identity(!placed.in_object_space()),
-          margins(stretch_of(transform)),
-          origin(max_component(abs(transform.point({})))) {}
-    const Transform& transform;
-    bool is_identity;
-    float margins, origin;
-  };
-
   void place(int s) {
     const PlacedShape& placed = shape(s);
-    const ToWorld to_world(placed);
-    tree_.margins_ = std::max(tree_.margins_, to_world.margins);
+    const PlacedBoxes boxes(placed);
+    tree_.margins_ = std::max(tree_.margins_, boxes.margins());
     if (has_own_tree(placed)) {
       const Tree& mesh = meshes_.of(*placed.shape);
       placed_.push_back({&placed, &mesh, s, 0});
-      pieces_.push_back({world_box(to_world, mesh.outline()), placed.frames, kLeafSize});
+      pieces_.push_back({boxes.of(mesh.outline()), placed.frames, kLeafSize});
       return;
     }
-    add_primitives(placed, s, to_world);
+    add_primitives(placed, s, boxes);
   }
 
-  void add_primitives(const PlacedShape& placed, int s, const ToWorld& to_world) {
+  void add_primitives(const PlacedShape& placed, int s, const PlacedBoxes& boxes) {
     const int count = placed.shape->primitive_count();
     const std::size_t first_piece = pieces_.size(), first_placed = placed_.size();
     pieces_.resize(first_piece + static_cast<std::size_t>(count));
@@ -108,7 +82,7 @@ class Tree::Builder {
     const auto add_one = [&](std::int64_t p) {
       const auto i = static_cast<std::size_t>(p);
       placed_[first_placed + i] = {&placed, nullptr, s, static_cast<int>(p)};
-      pieces_[first_piece + i] = {primitive_box(placed, to_world, static_cast<int>(p)), placed.frames, kLeafSize};
+      pieces_[first_piece + i] = {boxes.of_primitive(static_cast<int>(p)), placed.frames, kLeafSize};
     };
     parallel_for(count, 1 << 12, add_one);
   }
@@ -123,10 +97,10 @@ class Tree::Builder {
     std::uint32_t first = 0;
     for (const int s : crowds) {
       const PlacedShape& placed = shape(s);
-      const ToWorld to_world(placed);
-      tree_.margins_ = std::max(tree_.margins_, to_world.margins);
+      const PlacedBoxes boxes(placed);
+      tree_.margins_ = std::max(tree_.margins_, boxes.margins());
       tree_.crowds_.push_back({first, &placed, s});
-      const auto box_of = [&](int p) { return primitive_box(placed, to_world, p); };
+      const auto box_of = [&](int p) { return boxes.of_primitive(p); };
       for (const Bounds3& box :
            add_crowd(placed.shape->primitive_count(), kOfCrowd + first, box_of, tree_.bvh_.nodes)) {
         pieces_.push_back({box, placed.frames, kLeafSize});
@@ -134,18 +108,6 @@ class Tree::Builder {
       }
       first += static_cast<std::uint32_t>(count(s));
     }
-  }
-
-  static Bounds3 primitive_box(const PlacedShape& placed, const ToWorld& to_world, int primitive) {
-    const Bounds3 box = with_margin(placed.shape->bounds(primitive));
-    return world_box(to_world, std::span(&box, 1));
-  }
-
-  /// Returns the box in the world; `outline` is in the shape's space.
-  static Bounds3 world_box(const ToWorld& to_world, std::span<const Bounds3> outline) {
-    Bounds3 world;
-    for (const Bounds3& part : outline) world.add(to_world.is_identity ? part : to_world.transform.bounds(part));
-    return widened(world, to_world.margins * kBoxMargin * (largest_coordinate(world) + to_world.origin));
   }
 
   /// Returns the children that leaves become, by their numbers: packets of triangles, placed objects, nodes of crowds.

@@ -21,6 +21,7 @@ class TwoLevel final : public Accel {
   HitPartition partition(const Ray& ray, FrameSet frames) const override;
   FrameSet occluded(const Ray& ray, FrameSet frames) const override;
   std::size_t memory() const override;
+  std::unique_ptr<Accel> with(std::span<const PlacedShape> shapes, FrameSet all) const override;
 
   const Tree& static_tree() const { return static_; }
   const Tree& dynamic_tree() const { return dynamic_; }
@@ -29,8 +30,17 @@ class TwoLevel final : public Accel {
   template <class Query>
   void find_dynamic(const TreeRay& ray, Query& query) const;
 
-  MeshTrees meshes_;
-  Tree static_, dynamic_;
+  struct Fixed;
+  TwoLevel(std::shared_ptr<const Fixed> fixed, std::span<const PlacedShape> shapes, FrameSet all, BvhBuilder builder);
+
+  TwoLevel(const TwoLevel& sooner, std::span<const PlacedShape> shapes);  // takes over its nodes
+
+  BvhBuilder builder_;
+  std::shared_ptr<const Fixed> fixed_;
+  std::span<const PlacedShape> shapes_;
+  MeshTrees meshes_;  // those that `fixed_` lacks
+  const Tree& static_;
+  Tree dynamic_;
   float margins_;  // for all of them
   // A path that has split is in few frames, often in one; its rays are faster in a tree over the dynamic objects of
   // that frame alone. Empty if such trees would hold too many copies of triangles.

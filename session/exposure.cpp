@@ -30,7 +30,7 @@ Iteration Exposure::iteration(int number) {
   const double delay = delay_of(number, job_.shutter, job_.settings);
   later_scene_.reset();
   later_world_ = world_.after(delay);
-  later_scene_ = later_world_->scene(scene_.file_frames);
+  later_scene_ = later_world_->scene(scene_.file_frames, &scene_);
   return {number, *later_scene_, delay};
 }
 

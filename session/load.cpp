@@ -97,7 +97,7 @@ void LoadedScene::make(const Choices& choices, Diagnostics& diagnostics, KeptGeo
   job = make_job(*description, choices, diagnostics);
   if (kept == nullptr && job.shutter.delays()) own_kept = std::make_shared<KeptGeometry>(), kept = own_kept.get();
   const WorldOptions world_options{job.settings.width, job.settings.height, job.accel, true, job.film.diagonal, kept,
-                                   &job.frames};
+                                   &job.frames, job.shutter.delays()};
   world = std::make_unique<World>(*description, world_options, diagnostics);
   if (job.shutter.delays() && diagnostics.error_count() == 0) world->after(job.shutter.close);  // shows errors early
   job.settings.file = std::make_shared<FileSample>(

@@ -1,6 +1,8 @@
 #include "dspm/shapes/placed_shape.h"
 
 #include <bit>
+#include <cstring>
+#include <type_traits>
 
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/rng.h"
@@ -40,6 +42,11 @@ float number_of(const Ray& ray, std::uint64_t shape, int primitive, Vec2 uv) {
   absorb(bits(ray.direction.y), bits(uv.x));
   absorb(bits(uv.y), 0);
   return static_cast<float>(key >> 40) * 0x1p-24f;
+}
+
+bool same_bits(const Transform& a, const Transform& b) {
+  static_assert(std::is_trivially_copyable_v<Transform>);
+  return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
 }  // namespace
@@ -120,6 +127,11 @@ float PlacedShape::area_scale(const Vec3& n) const {
   if (!in_object_space()) return 1;
   const Basis tangents = Basis::around(n);
   return length(cross(to_world.vector(tangents.x), to_world.vector(tangents.y)));
+}
+
+bool are_placed_alike(const PlacedShape& a, const PlacedShape& b) {
+  return a.shape == b.shape && same_bits(a.to_world, b.to_world) && a.frames == b.frames &&
+         (a.cutout == nullptr) == (b.cutout == nullptr);
 }
 
 }  // namespace dspm

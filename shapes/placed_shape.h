@@ -24,6 +24,7 @@ struct PlacedShape {
   Transform to_world;  // identity for static meshes: their vertices are in world space
   FrameSet frames;
   bool flip_normals = false;       // ReverseOrientation
+  bool moves = false;              // it may change while the shutter is open
   bool caustics = true;            // false: photons end where it would throw them into a caustic
   int material = -1;               // index into the scene's materials
   int light = -1;                  // index into the scene's lights, if this shape emits
@@ -56,5 +57,8 @@ struct PlacedShape {
  private:
   SurfacePoint in_world(SurfacePoint own) const;
 };
+
+/// Returns whether both are the same shape at the same place in the same frames, whatever their holes look like.
+bool are_placed_alike(const PlacedShape& a, const PlacedShape& b);
 
 }  // namespace dspm

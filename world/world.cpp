@@ -187,6 +187,7 @@ struct World::Impl {
     for (const WorldShape* shape : shapes_there(frames, contents)) {
       PlacedShape& placed = shapes.emplace_back(shape->placed);
       placed.frames = shape->present.among(frames);
+      placed.moves = options.blurs && shape->moves;
       placed.light = shape->emitter < 0 ? -1 : directives + shape->emitter;
     }
     return shapes;
@@ -199,6 +200,8 @@ struct World::Impl {
       if (contents == Contents::bodies && !looks.bounds_a_body(shape.placed.material)) continue;
       if (!shape.nowhere && !shape.present.among(frames).empty()) there.push_back(&shape);
     }
+    // What stays has the same numbers at all times, so it can have one tree for all of them.
+    if (options.blurs) std::ranges::stable_partition(there, [](const WorldShape* shape) { return !shape->moves; });
     return there;
   }
   bool has_catchers() const {
@@ -224,12 +227,14 @@ struct World::Impl {
     }
   }
 
-  std::unique_ptr<Scene> scene(std::span<const FileFrame> frames, Contents contents) const;
+  std::unique_ptr<Scene> scene(std::span<const FileFrame> frames, Contents contents, const Scene* sooner) const;
 
   /// Warns of overlaps in the frames that stand for the file.
   void warn_of_overlaps(Diagnostics& diagnostics) const;
 
-  std::unique_ptr<Accel> make_accel(const Scene& scene, Contents contents) const {
+  std::unique_ptr<Accel> make_accel(const Scene& scene, Contents contents, const Scene* sooner) const {
+    if (sooner != nullptr)
+      if (std::unique_ptr<Accel> shared = sooner->accel->with(scene.shapes, scene.frames())) return shared;
     const auto make = [&](std::span<const PlacedShape> shapes) {
       Diagnostics ignored;
       ParamReader reader = accel_reader(ignored);
@@ -297,13 +302,16 @@ std::string World::sampling() const {
 
 int World::frame_count() const { return impl_->description.frames.count(); }
 
-std::unique_ptr<Scene> World::scene(std::span<const FileFrame> frames) const {
-  std::unique_ptr<Scene> scene = impl_->scene(frames, Impl::Contents::all);
-  if (impl_->has_catchers()) scene->without_objects = impl_->scene(frames, Impl::Contents::without_objects);
+std::unique_ptr<Scene> World::scene(std::span<const FileFrame> frames, const Scene* sooner) const {
+  std::unique_ptr<Scene> scene = impl_->scene(frames, Impl::Contents::all, sooner);
+  if (impl_->has_catchers())
+    scene->without_objects = impl_->scene(frames, Impl::Contents::without_objects,
+                                          sooner != nullptr ? sooner->without_objects.get() : nullptr);
   return scene;
 }
 
-std::unique_ptr<Scene> World::Impl::scene(std::span<const FileFrame> frames, Contents contents) const {
+std::unique_ptr<Scene> World::Impl::scene(std::span<const FileFrame> frames, Contents contents,
+                                          const Scene* sooner) const {
   auto scene = std::make_unique<Scene>();
   scene->is_without_objects = contents == Contents::without_objects;
   scene->file_frames.assign(frames.begin(), frames.end());
@@ -325,7 +333,7 @@ std::unique_ptr<Scene> World::Impl::scene(std::span<const FileFrame> frames, Con
   scene->light_groups = light_groups;
   scene->camera = cut(camera, scene->file_frames);
   for (const FileFrame frame : frames) scene->camera_to_world.push_back(camera_to_world(description, frame));
-  scene->accel = make_accel(*scene, contents);
+  scene->accel = make_accel(*scene, contents, sooner);
   find_bodies_around_camera(*scene);
   return scene;
 }

@@ -24,6 +24,7 @@ struct WorldOptions {
   float film_diagonal = CameraContext().film_diagonal;
   KeptGeometry* kept = nullptr;                      // of scenes before, and for those to come; outlives the world
   const std::vector<FileFrame>* rendered = nullptr;  // ascending, of the file's frames; null: all
+  bool blurs = false;                                // after() will be called
 };
 
 /// The camera's place in a frame, and what it does to points.
@@ -42,8 +43,9 @@ class World {
   std::unique_ptr<World> after(double delay) const;
   int frame_count() const;
   /// Makes the scene of these frames of the file: ascending, at most kMaxFrames. The world must outlive its scenes. All
-  /// scenes of a world agree on what sampling derives from the scene (light probabilities, bounding sphere).
-  std::unique_ptr<Scene> scene(std::span<const FileFrame> frames) const;
+  /// scenes of a world agree on what sampling derives from the scene (light probabilities, bounding sphere). `sooner` is
+  /// that of the world that this one is after, and outlives the scene; null if there is none.
+  std::unique_ptr<Scene> scene(std::span<const FileFrame> frames, const Scene* sooner = nullptr) const;
   std::vector<FileFrame> sample_frames() const;  // at most 16, spread over the file
   /// Returns a text that is equal if sampling is the same: what the file's first frames decide of it.
   std::string sampling() const;

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <deque>
+
 #include "dspm/accel/brute_force.h"
 #include "dspm/accel/crowd.h"
 #include "dspm/accel/two_level.h"
@@ -123,6 +126,68 @@ TEST_P(Agreement, OfAllFramesAndEachFrameAlone) {
       }
     }
   }
+}
+
+/// What moves comes last, as in scenes whose shutter is open. What is there in all frames may move as well.
+std::vector<PlacedShape> with_movers(const test::RandomScene& scene, test::Random& random) {
+  std::vector<PlacedShape> shapes(scene.placed().begin(), scene.placed().end());
+  for (PlacedShape& shape : shapes) shape.moves = !shape.frames.contains(scene.all()) || random.below(3) == 0;
+  std::ranges::stable_partition(shapes, [](const PlacedShape& shape) { return !shape.moves; });
+  return shapes;
+}
+
+/// A mesh of the same faces whose vertices are elsewhere.
+TriangleMesh deformed(const TriangleMesh& mesh, test::Random& random) {
+  MeshData data = mesh.data();
+  for (Vec3& vertex : data.vertices) vertex = vertex + random.in_cube(0.3f) * (1 + max_component(abs(vertex)));
+  return TriangleMesh(std::move(data));
+}
+
+/// Moves some of what moves, and leaves some of it out in some of the scenes. Meshes in the world become others, which
+/// `meshes` holds.
+std::vector<PlacedShape> moved(std::vector<PlacedShape> shapes, test::Random& random,
+                               std::deque<TriangleMesh>& meshes) {
+  if (random.below(3) == 0)
+    std::erase_if(shapes, [&](const PlacedShape& shape) { return shape.moves && random.below(8) == 0; });
+  for (PlacedShape& shape : shapes) {
+    if (!shape.moves || random.below(4) == 0) continue;
+    if (is_world_mesh(shape) && random.below(8) != 0) {
+      shape.shape = &meshes.emplace_back(deformed(*shape.shape->triangles(), random));
+      continue;
+    }
+    const PlacedShape before = shape;
+    shape = test::placed(*before.shape, Transform(Matrix4::translate(random.uniform(-1, 1), random.uniform(-1, 1), 0)));
+    shape.frames = before.frames, shape.cutout = before.cutout, shape.cutout_key = before.cutout_key;
+    shape.moves = true;
+  }
+  return shapes;
+}
+
+// A tree that has what is static from another finds what a tree that is made anew finds.
+TEST_P(Agreement, WithWhatIsStaticFromATreeAtAnotherTime) {
+  int with_static = 0;
+  for (std::uint64_t seed = 30000; seed < 31000 && !testing::Test::HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    test::RandomScene scene(seed);
+    test::Random random(seed);
+    std::deque<TriangleMesh> meshes;
+    const std::vector<PlacedShape> shapes = with_movers(scene, random), later = moved(shapes, random, meshes);
+    const TwoLevel tree(shapes, scene.all(), GetParam());
+    const std::unique_ptr<Accel> other = tree.with(later, scene.all());
+    ASSERT_NE(other, nullptr);
+    EXPECT_EQ(&static_cast<const TwoLevel&>(*other).static_tree(), &tree.static_tree());
+    const BruteForce loop(later);
+    for (int i = 0; i < 40; ++i) expect_agreement(*other, loop, scene.some_ray(), scene.some_frames());
+    if (shapes.empty() || shapes.front().moves) continue;
+    ++with_static;
+    std::vector<PlacedShape> elsewhere = shapes;
+    elsewhere.front().to_world = Transform(Matrix4::translate(3, 0, 0));
+    EXPECT_EQ(tree.with(elsewhere, scene.all()), nullptr);
+    elsewhere = shapes;
+    elsewhere.erase(elsewhere.begin());
+    EXPECT_EQ(tree.with(elsewhere, scene.all()), nullptr) << "the numbers of shapes are others";
+  }
+  EXPECT_GT(with_static, 100);
 }
 
 // Thousands of triangles in one mesh, so that a builder uses all its threads.

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "dspm/testing/compare.h"
 #include "dspm/testing/test_scene.h"
 
 namespace dspm {
@@ -52,11 +53,6 @@ const std::string kDisk = R"(Material "diffuse" Shape "disk" "float radius" 2
 const std::string kSun = R"(LightSource "distant" "rgb L" [1 1 1] "point3 from" [0 0 1] "point3 to" [0 0 0]
 )";
 
-Rgb mean(const Image& image) {
-  Rgb sum;
-  for (const Rgb& p : image.pixels) sum += p;
-  return sum / static_cast<float>(image.pixels.size());
-}
 Rgb mean_of(const std::string& text, int iterations = 4) {
   return mean(TestScene(text).render(FileFrame(0), iterations));
 }

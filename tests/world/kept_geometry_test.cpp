@@ -7,6 +7,7 @@
 #include <chrono>
 #include <thread>
 
+#include "dspm/accel/two_level.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/lang/parse.h"
 #include "dspm/world/world.h"
@@ -130,10 +131,33 @@ TEST_F(Kept, ATreeIsThatOfTheSameShapesAtTheSamePlaces) {
         "Shape \"sphere\" DynamicEnd Shape \"disk\" \"float radius\" 3 ",
         x);
   };
+  // Of what is known, some trees have all shapes, others only those that are static.
   for (const float x : {0.f, 0.f, 1e-3f, 0.f, .5f}) {
     const Loaded with = load(ball(x)), without(folder, ball(x), nullptr);
     expect_same_hits(*with.scene, *without.scene);
   }
+}
+
+TEST_F(Kept, WhatStaysWhileTheShutterIsOpenHasOneTree) {
+  const std::string text =
+      "DynamicBegin \"ball\" Keyframe 1 Translate 0 0 0 Keyframe 2 Translate 1 0 0 KeyframeEnd "
+      "Shape \"sphere\" DynamicEnd Shape \"disk\" \"float radius\" 3 Shape \"sphere\" \"float radius\" .2 ";
+  Diagnostics diagnostics;
+  const SceneDescription description = parse_text("scene.dsc", Loaded::text_of(text), {}, diagnostics);
+  const World world(description, {.kept = &kept, .blurs = true}, diagnostics);
+  const std::vector<FileFrame> frames{FileFrame(0), FileFrame(1)};
+  const auto scene = world.scene(frames);
+  const auto tree_of = [](const Scene& of) { return &dynamic_cast<const TwoLevel&>(*of.accel).static_tree(); };
+  std::vector<const Tree*> trees;
+  for (const double delay : {0.25, 0.5}) {
+    const auto later = world.after(delay), alone = world.after(delay);
+    const auto sharing = later->scene(frames, scene.get()), anew = alone->scene(frames);
+    ASSERT_EQ(sharing->shapes.size(), scene->shapes.size());
+    EXPECT_NE(tree_of(*sharing), tree_of(*anew));
+    expect_same_hits(*sharing, *anew);
+    trees.push_back(tree_of(*sharing));
+  }
+  EXPECT_EQ(trees[0], trees[1]);
 }
 
 }  // namespace kept_geometry_test

@@ -32,6 +32,7 @@ struct WorldShape {
   FrameRanges present;      // in the file
   int emitter = -1;         // which of Geometry::emitters it belongs to
   int dynamic_block = -1;   // of the description; -1: static
+  bool moves = false;       // while the shutter is open, it may differ from what it is at the frame's moment
   bool is_catcher = false;  // of shadows
   const ShapeUse* use = nullptr;
   int alpha = -1, alpha_state = 0;       // of Looks::number; -1: no holes

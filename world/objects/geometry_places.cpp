@@ -28,6 +28,15 @@ bool moves(const ShapeUse& use, const ObjectUse* instance) {
   return use.world_from_object.is_keyed() || (instance && instance->world_from_instance.is_keyed());
 }
 
+/// Returns whether pictures of holes or heights may change.
+bool pictures_move(const SceneDescription& description) {
+  const auto is_keyed = [](const auto& use) { return use.params.is_keyed(); };
+  return !description.axes.empty() || std::ranges::any_of(description.materials, is_keyed) ||
+         std::ranges::any_of(description.textures, [&](const TextureUse& texture) {
+           return is_keyed(texture) || texture.world_from_texture.is_keyed();
+         });
+}
+
 Timeline<Matrix4> placements(const ShapeUse& use, const ObjectUse* instance, const FileFrames& frames,
                              const std::vector<bool>& present) {
   return Timeline<Matrix4>::of_moments(
@@ -150,6 +159,7 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
   if (!moves && !matrices.empty() && !is_sound(matrices.front()))
     return report_singular(subject_of(use), "", instance ? instance->where : use.where, diagnostics_);
   const int object = object_of(use, instance);
+  const bool changes = moves || use.params.is_keyed(), shows_pictures = use.params.find("displacement") != nullptr;
   for (std::size_t i = 0; i < source.materials.size(); ++i) {
     const Placement::OfMade& made = placement->made[i];
     std::map<int, std::shared_ptr<const Shape>> in_world;  // by geometry
@@ -179,6 +189,7 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
       world.placed.material = source.materials[i];
       world.placed.object = object;
       world.placed.cutout_key = placed_;
+      world.moves = changes || ((shows_pictures || source.alphas[i] >= 0) && pictures_move(description_));
       world.dynamic_block = instance && use.dynamic_block < 0 ? instance->dynamic_block : use.dynamic_block;
       alphas_.set(world, source.alphas[i], place.alpha);
       if (source.has_extent) {

@@ -1,8 +1,6 @@
 #include "dspm/world/objects/kept_geometry.h"
 
 #include <algorithm>
-#include <cstring>
-#include <type_traits>
 #include <utility>
 
 #include "dspm/base/math/frames.h"
@@ -22,13 +20,8 @@ std::vector<const void*> addresses_of(const std::vector<KeptGeometry::Owned>& sh
   return addresses;
 }
 
-bool same_bits(const Transform& a, const Transform& b) {
-  static_assert(std::is_trivially_copyable_v<Transform>);
-  return std::memcmp(&a, &b, sizeof a) == 0;
-}
-
 bool are_met_alike(const PlacedShape& a, const PlacedShape& b) {
-  return a.shape == b.shape && same_bits(a.to_world, b.to_world) && a.frames == b.frames && a.cutout == b.cutout;
+  return are_placed_alike(a, b) && a.moves == b.moves && a.cutout == b.cutout;
 }
 
 }  // namespace
@@ -38,6 +31,7 @@ struct KeptGeometry::KeptTree {
   FrameSet frames;
   std::vector<PlacedShape> shapes;  // those that the tree refers to
   std::vector<Owned> owners;
+  std::shared_ptr<const KeptTree> sooner;  // whose parts `accel` shares; null if it shares none
   std::unique_ptr<const Accel> accel;
 };
 
@@ -52,6 +46,9 @@ class SharedTree final : public Accel {
   HitPartition partition(const Ray& ray, FrameSet frames) const override { return accel_.partition(ray, frames); }
   FrameSet occluded(const Ray& ray, FrameSet frames) const override { return accel_.occluded(ray, frames); }
   std::size_t memory() const override { return accel_.memory(); }
+  std::unique_ptr<Accel> with(std::span<const PlacedShape> shapes, FrameSet all) const override {
+    return accel_.with(shapes, all);
+  }
 
  private:
   std::shared_ptr<const Kept> kept_;
@@ -116,14 +113,30 @@ std::unique_ptr<Accel> KeptGeometry::tree(const ContentKey& which, const std::ve
     }
   }
   if (kept == nullptr) {
-    auto built = std::make_shared<KeptTree>(KeptTree{which, frames, shapes, std::move(owners), nullptr});
-    built->accel = make(built->shapes);
+    auto built = std::make_shared<KeptTree>(KeptTree{which, frames, shapes, std::move(owners), nullptr, nullptr});
+    share_parts(*built);
+    if (built->accel == nullptr) built->accel = make(built->shapes);
     kept = std::move(built);
     const std::lock_guard lock(mutex_);
     if (trees_.size() == kTreesKept) trees_.erase(trees_.begin());
     trees_.push_back(kept);
   }
   return std::make_unique<SharedTree<KeptTree>>(std::move(kept));
+}
+
+/// Makes the tree from the parts of one before, if what is static has stayed.
+void KeptGeometry::share_parts(KeptTree& built) {
+  std::vector<std::shared_ptr<const KeptTree>> trees;
+  {
+    const std::lock_guard lock(mutex_);
+    trees = trees_;
+  }
+  for (const auto& tree : trees) {
+    const auto& whole = tree->sooner != nullptr ? tree->sooner : tree;
+    if (whole->which != built.which || whole->frames != built.frames) continue;
+    built.accel = whole->accel->with(built.shapes, built.frames);
+    if (built.accel != nullptr) return void(built.sooner = whole);
+  }
 }
 
 void KeptGeometry::scene_is_loaded() {

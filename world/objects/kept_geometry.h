@@ -66,6 +66,7 @@ class KeptGeometry {
   using DerivedKey = std::pair<std::vector<const void*>, ContentKey>;
   struct KeptTree;
 
+  void share_parts(KeptTree& built);
   std::shared_ptr<void> derived_before(const std::vector<Owned>& shapes, const ContentKey& what);
   void keep_derived(std::vector<Owned> shapes, const ContentKey& what, std::shared_ptr<void> made);
 
