@@ -7,6 +7,7 @@
 #include "dspm/base/system/plain_text.h"
 #include "dspm/base/system/read_file.h"
 #include "dspm/base/system/readable.h"
+#include "dspm/integrators/beside/surface_output_list.h"
 #include "dspm/integrators/guiding/file_sample.h"
 #include "dspm/lang/formatter.h"
 #include "dspm/lang/parse.h"
@@ -96,8 +97,9 @@ void LoadedScene::make(const Choices& choices, Diagnostics& diagnostics, KeptGeo
   load_modules(*description, diagnostics);
   job = make_job(*description, choices, diagnostics);
   if (kept == nullptr && job.shutter.delays()) own_kept = std::make_shared<KeptGeometry>(), kept = own_kept.get();
-  const WorldOptions world_options{job.settings.width, job.settings.height, job.accel, true, job.film.diagonal, kept,
-                                   &job.frames, job.shutter.delays()};
+  WorldOptions world_options{job.settings.width, job.settings.height, job.accel, true, job.film.diagonal, kept,
+                             &job.frames, job.shutter.delays()};
+  world_options.nearby = has_motion(job.settings.outputs);
   world = std::make_unique<World>(*description, world_options, diagnostics);
   if (job.shutter.delays() && diagnostics.error_count() == 0) world->after(job.shutter.close);  // shows errors early
   job.settings.file = std::make_shared<FileSample>(

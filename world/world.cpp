@@ -11,76 +11,21 @@
 #include "dspm/lang/shutter.h"
 #include "dspm/lights/light_group.h"
 #include "dspm/world/bodies.h"
+#include "dspm/world/cameras.h"
 #include "dspm/world/lighting/coverage.h"
 #include "dspm/world/lighting/lighting.h"
 #include "dspm/world/lighting/sharing.h"
+#include "dspm/world/nearby_views.h"
 #include "dspm/world/objects/distinct_names.h"
 #include "dspm/world/objects/geometry.h"
-#include "dspm/world/objects/in_frame.h"
-#include "dspm/world/objects/likeness.h"
+#include "dspm/world/objects/nearby_changes.h"
 #include "dspm/world/objects/param_key.h"
-#include "dspm/world/objects/params_at.h"
-#include "dspm/world/objects/placement_check.h"
 #include "dspm/world/objects/texture_cutout.h"
 #include "dspm/world/objects/variations.h"
 #include "dspm/world/overlap_warnings.h"
 
 namespace dspm {
 namespace {
-
-const CameraUse& camera_use(const SceneDescription& description, FileFrame frame) {
-  static const CameraUse fallback{{"perspective", {}, {}, {}}, {}};
-  const CameraUse* const use = description.camera_of(frame);
-  return use != nullptr ? *use : fallback;
-}
-
-/// Inverts a matrix; make_camera() has refused those that have no inverse.
-Transform inverted(const Matrix4& camera_from_world) {
-  return Transform(camera_from_world.inverse().value_or(Matrix4()));
-}
-
-Transform camera_to_world(const SceneDescription& description, FileFrame frame) {
-  return inverted(camera_use(description, frame).camera_from_world.at(description.frames.moment(frame)));
-}
-
-Timeline<std::shared_ptr<const Camera>> make_camera(const SceneDescription& description, const WorldOptions& options,
-                                                    Diagnostics& diagnostics) {
-  struct State {
-    const CameraUse* use;
-    ParamList params;
-    Matrix4 camera_from_world;
-  };
-  const auto states = Timeline<State>::of(
-      description.frames.count(),
-      [&](FileFrame f) -> std::optional<State> {
-        const CameraUse& use = camera_use(description, f);
-        const Moment moment = description.frames.moment(f);
-        return State{&use, params_at(use.params, description.frames, moment), use.camera_from_world.at(moment)};
-      },
-      [](const State& a, const State& b) {
-        return a.camera_from_world == b.camera_from_world && a.use->type == b.use->type &&
-               (a.use == b.use && !a.use->params.is_keyed() ? true : a.params.same_values(b.params));
-      },
-      [](const State& state) { return Likeness().add(state.camera_from_world).add(state.params).number(); });
-  Timeline<std::shared_ptr<const Camera>> cameras;
-  cameras.state_of = states.state_of;
-  const int errors = diagnostics.error_count();
-  for (FileFrame f(0); f.index() < description.frames.count(); ++f) {
-    const State& state = states.states[static_cast<std::size_t>(states.at(f))];
-    if (is_sound(state.camera_from_world)) continue;
-    report_singular("the camera", in_frame(description.frames, f), state.use->where, diagnostics);
-    return cameras;
-  }
-  for (const State& state : states.states) {
-    const auto* plugin = camera_plugins().find(state.use->type, state.use->type_where, diagnostics);
-    if (!plugin) break;
-    ParamReader reader(state.params, "camera \"" + state.use->type + "\"", state.use->where, diagnostics);
-    cameras.states.emplace_back(plugin->make(reader, CameraContext{inverted(state.camera_from_world), options.width,
-                                                                   options.height, options.film_diagonal}));
-    if (diagnostics.error_count() > errors) break;
-  }
-  return cameras;
-}
 
 /// Reports media as errors: the language knows them, the renderer does not.
 void refuse_media(const SceneDescription& description, Diagnostics& diagnostics) {
@@ -147,7 +92,7 @@ struct World::Impl {
     std::sort(light_groups.begin(), light_groups.end());
     light_groups.erase(std::unique(light_groups.begin(), light_groups.end()), light_groups.end());
     light_groups.insert(light_groups.begin(), kOtherLights);
-    camera = make_camera(text, options, diagnostics);
+    camera = make_cameras(text, film(), diagnostics);
     const std::string name = options.accel.empty() ? "two-level" : options.accel;
     accel = accel_plugins().find(name, text.accelerator ? text.accelerator->type_where : SourceLocation{}, diagnostics);
     if (accel == nullptr) return;
@@ -164,10 +109,12 @@ struct World::Impl {
       frames = *options.rendered;
     else
       for (FileFrame f(0); f.index() < description.frames.count(); ++f) frames.push_back(f);
-    geometry.read(frames);
+    geometry.read(options.nearby ? with_nearby(description.frames, frames) : frames);
     geometry.read(light_choices.sample());
     geometry.read(light_choices.sample(sample_size));
   }
+
+  CameraContext film() const { return {{}, options.width, options.height, options.film_diagonal}; }
 
   ParamReader accel_reader(Diagnostics& diagnostics) const {
     return {accel_params, fmt::format("accelerator \"{}\"", accel->name),
@@ -333,6 +280,10 @@ std::unique_ptr<Scene> World::Impl::scene(std::span<const FileFrame> frames, Con
   scene->light_groups = light_groups;
   scene->camera = cut(camera, scene->file_frames);
   for (const FileFrame frame : frames) scene->camera_to_world.push_back(camera_to_world(description, frame));
+  if (options.nearby)
+    scene->nearby = std::make_shared<const NearbyMoments>(
+        nearby_changes(description, geometry, shapes_there(scene->file_frames, contents), frames),
+        nearby_views(description, frames, film()));
   scene->accel = make_accel(*scene, contents, sooner);
   find_bodies_around_camera(*scene);
   return scene;

@@ -25,6 +25,7 @@ struct WorldOptions {
   KeptGeometry* kept = nullptr;                      // of scenes before, and for those to come; outlives the world
   const std::vector<FileFrame>* rendered = nullptr;  // ascending, of the file's frames; null: all
   bool blurs = false;                                // after() will be called
+  bool nearby = false;                               // scenes have Scene::nearby
 };
 
 /// The camera's place in a frame, and what it does to points.

@@ -48,7 +48,7 @@ void add_image_options(CLI::App& app, Options& o) {
            for (const std::string& text : texts)
              for (std::string& name : parse_names("--aov", text)) o.outputs.push_back(std::move(name));
          },
-         "also write these outputs as layers of the EXR: N,P,Z,albedo,uv,object,material,alpha,cryptoobject,"
+         "also write these outputs as layers of the EXR: N,P,Z,albedo,uv,object,material,alpha,motion,cryptoobject,"
          "cryptomaterial,lights,radius,photons")
       ->allow_extra_args(false)
       ->type_name("NAMES");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "dspm/integrators/beside/coverage_ranks.h"
@@ -43,6 +44,14 @@ Table make_table() {
   at(SurfaceKind::crypto_object) = cryptomatte("cryptoobject", "CryptoObject", "objects");
   at(SurfaceKind::catcher) = {
       {kCatcherOutput, {"catcher.X"}, "the share of the pixel's camera paths that meet a shadow catcher first"}};
+  at(SurfaceKind::motion_forward) = {{"motion.forward",
+                                      {"forward.u", "forward.v"},
+                                      "pixels to the right and up that what is seen moves until the next frame",
+                                      true}};
+  at(SurfaceKind::motion_backward) = {{"motion.backward",
+                                       {"backward.u", "backward.v"},
+                                       "pixels to the right and up to where what is seen was in the frame before",
+                                       true}};
   at(SurfaceKind::crypto_material) = cryptomatte("cryptomaterial", "CryptoMaterial", "materials");
   at(SurfaceKind::denoising_normal) = {{kDenoisingNormal,
                                         {"DenoisingN.X", "DenoisingN.Y", "DenoisingN.Z"},
@@ -79,12 +88,18 @@ std::vector<std::string> gbuffer_outputs() {
   return names;
 }
 
-std::vector<std::string> cryptomatte_outputs(const std::string& name) {
+std::vector<std::string> parts_of_output(const std::string& name) {
   std::vector<std::string> names;
-  for (const SurfaceKind kind : {SurfaceKind::crypto_object, SurfaceKind::crypto_material})
-    for (const OutputInfo& output : outputs_of(kind))
-      if (output.name.starts_with(name + ".")) names.push_back(output.name);
+  for (const OutputInfo& output : surface_outputs())
+    if (output.name.starts_with(name + ".")) names.push_back(output.name);
   return names;
+}
+
+bool has_motion(const std::vector<std::string>& names) {
+  const std::vector<std::string> parts = parts_of_output("motion");
+  return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+    return std::find(parts.begin(), parts.end(), name) != parts.end();
+  });
 }
 
 }  // namespace dspm

@@ -21,14 +21,19 @@ enum class SurfaceKind {
   crypto_object,
   crypto_material,
   catcher,
+  motion_forward,
+  motion_backward,
   denoising_normal,
   denoising_depth,
   denoising_albedo,
 };
-inline constexpr int kSurfaceKinds = 14;
+inline constexpr int kSurfaceKinds = 16;
 inline bool is_id(SurfaceKind kind) { return kind == SurfaceKind::object || kind == SurfaceKind::material; }
 inline bool is_crypto(SurfaceKind kind) {
   return kind == SurfaceKind::crypto_object || kind == SurfaceKind::crypto_material;
+}
+inline bool is_motion(SurfaceKind kind) {
+  return kind == SurfaceKind::motion_forward || kind == SurfaceKind::motion_backward;
 }
 /// Returns whether the kind belongs to the first rough surface after smooth ones.
 inline bool is_for_denoising(SurfaceKind kind) { return kind >= SurfaceKind::denoising_normal; }
@@ -45,7 +50,9 @@ const std::vector<OutputInfo>& outputs_of(SurfaceKind kind);
 const std::vector<OutputInfo>& surface_outputs();
 /// Returns the outputs of Film "gbuffer", which are pbrt's.
 std::vector<std::string> gbuffer_outputs();
-/// Returns the outputs that together are "cryptoobject" or "cryptomaterial"; none for other names.
-std::vector<std::string> cryptomatte_outputs(const std::string& name);
+/// Returns the outputs that together are "motion", "cryptoobject" or "cryptomaterial"; none for other names.
+std::vector<std::string> parts_of_output(const std::string& name);
+/// Returns whether vectors of motion are among them, which need Scene::nearby.
+bool has_motion(const std::vector<std::string>& names);
 
 }  // namespace dspm

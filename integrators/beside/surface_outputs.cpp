@@ -18,6 +18,7 @@
 #include "dspm/integrators/tiles.h"
 #include "dspm/integrators/transport/camera_path.h"
 #include "dspm/integrators/transport/clear_sight.h"
+#include "dspm/world/scene/nearby_moments.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {
@@ -52,6 +53,7 @@ struct Layer {
   std::vector<OutputInfo> outputs;
   std::vector<float> ids;  // of things
   PixelFrames<Rgb> sums;
+  PixelFrames<Rgb> far_sums;  // of motion where no surface is
   PixelFrames<Majority> votes;
   PixelFrames<CoverageRanks> ranks;
 
@@ -64,7 +66,7 @@ struct Layer {
 
 /// Returns the bytes of a layer per pixel and frame.
 std::size_t bytes_of(Kind kind) {
-  if (is_mean(kind)) return sizeof(Rgb);
+  if (is_mean(kind)) return is_motion(kind) ? 2 * sizeof(Rgb) : sizeof(Rgb);
   return is_id(kind) ? sizeof(Majority) : is_crypto(kind) ? sizeof(CoverageRanks) : 0;
 }
 
@@ -79,8 +81,9 @@ class SurfaceOutputs final : public WrappingIntegrator {
     const int pixels = render.crop.count(), frames = scene.frame_count();
     looks_on_ = std::any_of(kinds.begin(), kinds.end(), is_for_denoising);
     for (const Kind kind : kinds) {
-      Layer& layer = layers_.emplace_back(Layer{kind, outputs_of(kind), {}, {}, {}, {}});
+      Layer& layer = layers_.emplace_back(Layer{kind, outputs_of(kind), {}, {}, {}, {}, {}});
       if (is_mean(kind)) layer.sums = {pixels, frames};
+      if (is_motion(kind)) layer.far_sums = {pixels, frames};
       if (is_id(kind)) layer.votes = {pixels, frames};
       if (is_crypto(kind)) layer.ranks = {pixels, frames};
       if (is_id(kind) || is_crypto(kind)) name(layer, is_of_objects(kind) ? scene.object_names : scene.material_names);
@@ -130,7 +133,8 @@ class SurfaceOutputs final : public WrappingIntegrator {
     state.sum(step_.seconds);
     state.sum(met_.values());
     for (Layer& layer : layers_)
-      state.sum(layer.sums.values()), state.sum(layer.votes.values()), state.sum(layer.ranks.values());
+      state.sum(layer.sums.values()), state.sum(layer.far_sums.values()), state.sum(layer.votes.values()),
+          state.sum(layer.ranks.values());
     state.sum(iterations_);
     expect_iterations(iterations_);
     return true;
@@ -149,6 +153,7 @@ class SurfaceOutputs final : public WrappingIntegrator {
       for (const FrameHit& part : scene.accel->partition(path.ray, path.frames)) {
         if (part.hit.missed()) {
           vote(path.pixel, part.frames, [](Kind) { return kNone; });
+          add_far_motion(scene, path, part.frames);
           if (looks_on_) add_nothing(path.pixel, part.frames, Rgb(1));
           continue;
         }
@@ -207,6 +212,11 @@ class SurfaceOutputs final : public WrappingIntegrator {
         case Kind::position: sum(vertex.frames, position(scene, vertex)); break;
         case Kind::depth: sum(vertex.frames, Rgb(depth(scene, vertex, vertex.point.p))); break;
         case Kind::catcher: sum(vertex.frames, Rgb(scene.is_catcher(vertex.hit.shape) ? 1.f : 0.f)); break;
+        case Kind::motion_forward:
+        case Kind::motion_backward:
+          add_motion(layer.kind, layer.sums, path.pixel, vertex.frames,
+                     [&](Frame f, Nearby when) { return scene.nearby->of_point(vertex.hit, vertex.point.p, f, when); });
+          break;
         case Kind::uv: sum(vertex.frames, Rgb(vertex.point.uv.x, vertex.point.uv.y, 0)); break;
         case Kind::albedo:
           for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) { sum(frames, albedo(bsdf, vertex, path)); });
@@ -216,6 +226,22 @@ class SurfaceOutputs final : public WrappingIntegrator {
     }
     vote(path.pixel, vertex.frames,
          [&](Kind kind) { return is_of_objects(kind) ? vertex.shape.object : vertex.shape.material; });
+  }
+
+  /// Adds vector_of(Frame, Nearby) and the number of such vectors.
+  template <class VectorOf>
+  static void add_motion(Kind kind, PixelFrames<Rgb>& sums, int pixel, FrameSet frames, const VectorOf& vector_of) {
+    const Nearby when = kind == Kind::motion_forward ? Nearby::later : Nearby::earlier;
+    frames.for_each([&](Frame f) {
+      if (const NearbyMoments::Vector v = vector_of(f, when)) sums.at(pixel, f) += Rgb(v->x, v->y, 1);
+    });
+  }
+
+  void add_far_motion(const Scene& scene, const CameraPath& path, FrameSet frames) {
+    for (Layer& layer : layers_)
+      if (is_motion(layer.kind))
+        add_motion(layer.kind, layer.far_sums, path.pixel, frames,
+                   [&](Frame f, Nearby when) { return scene.nearby->of_direction(path.ray.direction, f, when); });
   }
 
   /// Counts candidate(Kind) of the layers of ids.
@@ -258,6 +284,8 @@ class SurfaceOutputs final : public WrappingIntegrator {
   Rgb value(const Layer& layer, std::size_t number, int pixel, Frame frame) const {
     if (layer.kind == Kind::alpha) return Rgb(share(met_.at(pixel, frame)));
     if (layer.kind == Kind::denoising_depth) return depth_for_denoising(layer.sums.at(pixel, frame));
+    if (is_motion(layer.kind))
+      return mean_vector(met_.at(pixel, frame) > 0 ? layer.sums.at(pixel, frame) : layer.far_sums.at(pixel, frame));
     if (layer.kind == Kind::catcher || is_for_denoising(layer.kind))
       return layer.sums.at(pixel, frame) / static_cast<float>(iterations_);
     if (is_crypto(layer.kind)) {
@@ -273,6 +301,8 @@ class SurfaceOutputs final : public WrappingIntegrator {
   }
   /// Takes the sum of depths, and their number.
   static Rgb depth_for_denoising(const Rgb& sum) { return Rgb(sum.g > 0 ? sum.r / sum.g : kNoDepth); }
+  /// Takes the sum of vectors, and their number.
+  static Rgb mean_vector(const Rgb& sum) { return sum.b > 0 ? sum / sum.b : Rgb(); }
   /// Returns a share of the pixel's camera paths.
   float share(std::uint32_t paths) const { return static_cast<float>(paths) / static_cast<float>(iterations_); }
 

@@ -1,7 +1,7 @@
 // Adds what the camera sees first to any integrator: position, depth, normal, albedo, texture coordinates, object and
-// material, and whether it sees anything; and what denoisers take: the first rough surface after smooth ones. Camera
-// rays of their own find it, through the same film and lens points as the integrator's paths, so that it is filtered
-// like the image.
+// material, how it moves in the image, and whether it sees anything; and what denoisers take: the first rough surface
+// after smooth ones. Camera rays of their own find it, through the same film and lens points as the integrator's paths,
+// so that it is filtered like the image.
 #pragma once
 
 #include <memory>

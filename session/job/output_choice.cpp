@@ -23,7 +23,7 @@ constexpr const char* kAllLightGroups = "lights";  // in --aov
 /// Returns the outputs that one name in --aov stands for.
 std::vector<std::string> expanded(const std::string& name, const SceneDescription& description) {
   if (name == kAllLightGroups) return light_group_outputs(description);
-  std::vector<std::string> parts = cryptomatte_outputs(name);
+  std::vector<std::string> parts = parts_of_output(name);
   return parts.empty() ? std::vector{name} : parts;
 }
 
@@ -38,7 +38,8 @@ std::vector<std::string> names_for_aov(const std::vector<OutputInfo>& declared) 
   std::vector<std::string> names, groups;
   const auto add = [&](const OutputInfo& output) {
     std::vector<std::string>& to = output.is_radiance ? groups : names;
-    const std::string name = output.cryptomatte.empty() ? output.name : output.name.substr(0, output.name.find('.'));
+    const std::string whole = output.name.substr(0, output.name.find('.'));
+    const std::string name = parts_of_output(whole).empty() ? output.name : whole;
     if (std::find(to.begin(), to.end(), name) == to.end()) to.push_back(name);
   };
   for (const OutputInfo& output : declared) add(output);

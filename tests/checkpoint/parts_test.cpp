@@ -99,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(, PartsOf,
 TEST_F(Parts, HaveAllOutputs) {
   put_file(directory / "tiny.dsc", tiny_scene(R"("diffuse" "rgb L")", R"("diffuse" "string group" "key" "rgb L")"));
   const Arguments how = {"--float", "--iterations", "8", "--aov",
-                         "N,Z,object,alpha,cryptoobject,photons,radius,lights,variance"};
+                         "N,Z,object,alpha,motion,cryptoobject,photons,radius,lights,variance"};
   good(Arguments{"tiny.dsc", "-o", "whole.exr"} + how);
   render_parts(4, how);
   const Outcome outcome =

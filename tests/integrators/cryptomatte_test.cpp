@@ -68,7 +68,7 @@ std::map<std::string, Image> outputs_of(TestScene& test, Frame frame, const std:
 /// The specification's way: the sum of the shares of all ranks that hold the name's id.
 float matte(const std::map<std::string, Image>& images, const std::string& name, int x, int y) {
   float sum = 0;
-  for (const std::string& rank : cryptomatte_outputs("cryptoobject"))
+  for (const std::string& rank : parts_of_output("cryptoobject"))
     if (const Rgb& pair = images.at(rank).at(x, y); pair.r == id_of(name)) sum += pair.g;
   return sum;
 }
@@ -81,7 +81,7 @@ TEST(Cryptomatte, RanksDescendAndAddUpToAlpha) {
   for (int y = 0; y < kSize; ++y)
     for (int x = 0; x < kSize; ++x) {
       float before = 1, sum = 0;
-      for (const std::string& rank : cryptomatte_outputs("cryptoobject")) {
+      for (const std::string& rank : parts_of_output("cryptoobject")) {
         const Rgb& pair = images.at(rank).at(x, y);
         EXPECT_LE(pair.g, before);
         EXPECT_EQ(pair.g == 0, pair.r == 0) << "no share without an id";
@@ -112,7 +112,7 @@ TEST(Cryptomatte, OfMaterialsJoinsObjects) {
   TestScene test(scene(), asking_for({"cryptomaterial", "alpha"}));
   const auto images = outputs_of(test, 0);
   std::map<float, int> ids;
-  for (const std::string& rank : cryptomatte_outputs("cryptomaterial"))
+  for (const std::string& rank : parts_of_output("cryptomaterial"))
     for (const Rgb& pair : images.at(rank).pixels)
       if (pair.r != 0) ++ids[pair.r];
   EXPECT_GT(ids.size(), 1U);

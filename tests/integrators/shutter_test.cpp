@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "dspm/base/params/errors.h"
+#include "dspm/session/job/choices.h"
 #include "dspm/testing/agreement.h"
 #include "dspm/testing/promises.h"
 #include "dspm/testing/scenes.h"

@@ -29,8 +29,18 @@ Choices asking_for(std::vector<std::string> outputs) {
   return choices;
 }
 
-const std::vector<std::string> kAll = {"N",      "P",        "Z",          "albedo",     "uv",
-                                       "object", "material", "denoisingN", "denoisingZ", "denoisingalbedo"};
+const std::vector<std::string> kAll = {"N",
+                                       "P",
+                                       "Z",
+                                       "albedo",
+                                       "uv",
+                                       "object",
+                                       "material",
+                                       "denoisingN",
+                                       "denoisingZ",
+                                       "denoisingalbedo",
+                                       "motion.forward",
+                                       "motion.backward"};
 
 /// By output, then by frame, after that many iterations.
 std::map<std::string, std::vector<Image>> outputs_of(TestScene& test, int iterations = 4) {
@@ -210,9 +220,9 @@ TEST_P(SurfaceOutputs, CountAsMemory) {
     }
     return 0;
   };
-  // Eight means of three floats, two ids with their votes, and a counter; and a copy of them.
+  // Eight means of three floats, two motions with two each, two ids with their votes, and a counter; and a copy of them.
   const std::size_t frames = with.intervals().front().size();
-  EXPECT_EQ(least(with) - least(without), 2 * (8 * 12 + 2 * 8 + 4) * frames * kSize * kSize);
+  EXPECT_EQ(least(with) - least(without), 2 * (8 * 12 + 2 * 24 + 2 * 8 + 4) * frames * kSize * kSize);
 }
 
 INSTANTIATE_TEST_SUITE_P(

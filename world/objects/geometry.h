@@ -35,6 +35,7 @@ struct WorldShape {
   bool moves = false;       // while the shutter is open, it may differ from what it is at the frame's moment
   bool is_catcher = false;  // of shadows
   const ShapeUse* use = nullptr;
+  const ObjectUse* instance = nullptr;   // null: it is no instance's
   int alpha = -1, alpha_state = 0;       // of Looks::number; -1: no holes
   bool nowhere = false;                  // a hole everywhere: no ray can meet it
   std::shared_ptr<const Cutout> cutout;  // of an emitter, whose light is made once for all frames

@@ -12,21 +12,13 @@
 #include "dspm/world/objects/likeness.h"
 #include "dspm/world/objects/moved_mesh.h"
 #include "dspm/world/objects/param_states.h"
+#include "dspm/world/objects/placement.h"
 #include "dspm/world/objects/placement_check.h"
 #include "dspm/world/objects/texture_cutout.h"
 #include "dspm/world/objects/variations.h"
 
 namespace dspm {
 namespace {
-
-Matrix4 matrix_at(Moment moment, const ShapeUse& use, const ObjectUse* instance) {
-  const Matrix4 own = use.world_from_object.at(moment);
-  return instance ? instance->world_from_instance.at(moment) * own : own;
-}
-
-bool moves(const ShapeUse& use, const ObjectUse* instance) {
-  return use.world_from_object.is_keyed() || (instance && instance->world_from_instance.is_keyed());
-}
 
 /// Returns whether pictures of holes or heights may change.
 bool pictures_move(const SceneDescription& description) {
@@ -179,7 +171,7 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
         shape = moved, moved_by = to_world, to_world = Transform();
       }
       WorldShape& world = shapes_.emplace_back();
-      world.use = &use;
+      world.use = &use, world.instance = instance;
       world.present = made.seen[p];
       world.shape = shape, world.placed.shape = shape.get();
       world.placed.to_world = to_world;

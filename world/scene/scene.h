@@ -20,8 +20,9 @@
 
 namespace dspm {
 
-/// A scene element that may change from frame to frame: one object per distinct state. The sets are disjoint; in frames
-/// outside all of them, the element does not exist.
+class NearbyMoments;
+
+/// An element that may change from frame to frame: an object per distinct state. In frames of no state there is none.
 template <class T>
 struct FrameStates {
   struct State {
@@ -92,9 +93,7 @@ struct SceneElement {
   enum class Kind { camera, shape, material, light };
   Kind kind;
   int index = 0;  // into the scene's shapes, materials or lights
-  friend bool operator==(const SceneElement& a, const SceneElement& b) {
-    return a.kind == b.kind && a.index == b.index;
-  }
+  friend bool operator==(const SceneElement&, const SceneElement&) = default;
 };
 
 class Scene {
@@ -108,8 +107,7 @@ class Scene {
   std::span<const std::string> object_names;
   std::vector<FrameStates<Material>> materials;
   std::span<const std::string> material_names;  // distinct
-  /// Says for each material whether its shapes bound a body in some frame. Empty if no path needs to know the bodies
-  /// that it is in.
+  /// By material: whether its shapes bound a body in some frame. Empty if no path needs to know the bodies around it.
   std::vector<bool> bounds_bodies;
   bool nests = false;  // bodies differ in priority: where they overlap, one of them is not there
   /// The bodies that the camera lies in; the sets are disjoint, and cover all frames if there are any.
@@ -126,6 +124,7 @@ class Scene {
   std::vector<int> infinite_lights;            // those that implement escaped()
   FrameStates<Camera> camera;
   std::vector<Transform> camera_to_world;              // by frame
+  std::shared_ptr<const NearbyMoments> nearby;         // null unless WorldOptions::nearby
   std::vector<std::shared_ptr<const Cutout>> cutouts;  // of shapes
   std::unique_ptr<Accel> accel;
   std::vector<bool> catchers;  // by shape: whether it only shows how others change its light; empty: none in the file
