@@ -19,7 +19,8 @@ std::optional<Moment> Clock::moment_of(const Lexer& lexer, std::string_view piec
                  "give it before the first key: Frames 48 \"float fps\" 24");
     number = first.frames() + 1 + number * *fps;
   }
-  if (!(number >= lowest() && number <= kLastFrame)) return std::nullopt;
+  if (!(number > lowest() - 1 && number <= kLastFrame))
+    return std::nullopt;  // a shutter may open before the first frame
   constexpr double kSteps = 65536;
   return Moment(std::round((number - 1) * kSteps) / kSteps);
 }

@@ -77,7 +77,8 @@ void SceneBuilder::check_keys(const Directive& directive) {
 void SceneBuilder::check_key(Moment key, const SourceLocation& where) {
   if (!world_where_)
     keys_before_world_.emplace_back(key, where);
-  else if (const auto all = scene_.all_moments(); !all.contains(key) && key != all.end)  // up to where a shutter closes
+  else if (const auto all = scene_.all_moments();  // beside them shutters are open
+           !(key.frames() > all.first.frames() - 1 && key <= all.end))
     diagnostics_.warning(where, fmt::format("this key for frame {} is out of range: the scene has {}", number_of(key),
                                             frames_in_words(scene_)));
 }

@@ -364,10 +364,10 @@ const Mistake kAnimation[] = {
      "    2 | Keyframe 3 Keyframe 3 KeyframeEnd\n"
      "      |            ^~~~~~~~\n"
      "  keys must be in ascending order\n"},
-    {"Frames 9\nKeyframe 0.5\nWorldBegin",
+    {"Frames 9\nKeyframe 0\nWorldBegin",
      "scene.dsc:2:10: error: expected a frame from 1 to 1000000, or seconds, such as 1.5s\n"
-     "    2 | Keyframe 0.5\n"
-     "      |          ^~~\n"},
+     "    2 | Keyframe 0\n"
+     "      |          ^\n"},
     {"Frames 9 Keyframe nan Translate 1 0 0\nWorldBegin",
      "scene.dsc:1:19: error: expected a frame from 1 to 1000000, or seconds, such as 1.5s\n"
      "    1 | Frames 9 Keyframe nan Translate 1 0 0\n"
