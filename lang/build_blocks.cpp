@@ -58,6 +58,7 @@ void SceneBuilder::open_dynamic(const Directive& directive, const DynamicPlace* 
   }
   ParamReader reader(directive.params, "DynamicBegin", directive.where, diagnostics_);
   const std::vector<int> limits = reader.integers("frames", "the first and the last frame in which its shapes exist");
+  state_.blurs = reader.flag(kBlurParam, state_.blurs, "false: it is sharp, however long the shutter is open");
   reader.finish();
   if (reader.has("frames")) {
     const int lowest = scene_.clock().lowest();
@@ -103,8 +104,8 @@ void SceneBuilder::object_instance(const Directive& directive) {
     diagnostics_.error(directive.where,
                        fmt::format("ObjectInstance inside {} (line {})", begin_of(*outer), outer->where.line),
                        "objects cannot hold objects");
-  scene_.instances.push_back(
-      {directive.words[0].text, ctm(), state_.reverse_orientation, state_.dynamic_block, directive.words[0].where});
+  scene_.instances.push_back({directive.words[0].text, ctm(), state_.reverse_orientation, state_.dynamic_block,
+                              directive.words[0].where, state_.blurs});
 }
 
 }  // namespace dspm

@@ -37,19 +37,37 @@ bool comes_in_runs(const ShapeUse& use) {
          std::none_of(use.params.params.begin(), use.params.params.end(), [](const Param& p) { return p.is_default; });
 }
 
-/// Removes `"string <name>" "<text>"` from the list.
-std::optional<Argument> take_text(ParamList& params, std::string_view name, Diagnostics& diagnostics) {
+/// Removes the parameter from the list.
+std::optional<Param> take(ParamList& params, std::string_view name) {
   const auto found =
       std::find_if(params.params.begin(), params.params.end(), [&](const Param& param) { return param.name == name; });
   if (found == params.params.end()) return std::nullopt;
-  const auto* texts = std::get_if<std::vector<std::string>>(&found->values);
-  Argument argument{{}, found->values_where};
-  if (found->type == ParamType::text && !found->key && texts->size() == 1)
+  Param taken = std::move(*found);
+  params.params.erase(found);
+  return taken;
+}
+
+/// Removes `"string <name>" "<text>"` from the list.
+std::optional<Argument> take_text(ParamList& params, std::string_view name, Diagnostics& diagnostics) {
+  const std::optional<Param> param = take(params, name);
+  if (!param) return std::nullopt;
+  const auto* texts = std::get_if<std::vector<std::string>>(&param->values);
+  Argument argument{{}, param->values_where};
+  if (param->type == ParamType::text && !param->key && texts->size() == 1)
     argument.text = texts->front();
   else
-    diagnostics.error(found->where, fmt::format("\"{}\" must be one string, the same in all frames", name));
-  params.params.erase(found);
+    diagnostics.error(param->where, fmt::format("\"{}\" must be one string, the same in all frames", name));
   return argument;
+}
+
+/// Removes `"bool <name>" true` from the list, or false; reports what is neither.
+std::optional<bool> take_flag(ParamList& params, std::string_view name, Diagnostics& diagnostics) {
+  const std::optional<Param> param = take(params, name);
+  if (!param) return std::nullopt;
+  const auto* flags = std::get_if<std::vector<bool>>(&param->values);
+  if (flags != nullptr && !param->key && flags->size() == 1) return flags->front();
+  diagnostics.error(param->where, fmt::format("\"{}\" must be one bool, the same in all frames", name));
+  return std::nullopt;
 }
 
 }  // namespace
@@ -102,6 +120,7 @@ PluginUse SceneBuilder::plugin_use(Directive& directive, AttributeTarget target)
         use.params.params.push_back(param);
     }
   count_files_from(scene_.first_moment, use.params);
+  if (target == AttributeTarget::shape || target == AttributeTarget::light) use.blurs = state_.blurs;
   return use;
 }
 
@@ -215,6 +234,7 @@ void SceneBuilder::shape(Directive& directive) {
                state_.area_light,
                state_.dynamic_block};
   use.name = take_name(use.params);
+  use.blurs = take_flag(use.params, kBlurParam, diagnostics_).value_or(use.blurs);
   if (use.dynamic_block < 0 && use.params.is_keyed()) {
     const auto keyed = std::find_if(use.params.params.begin(), use.params.params.end(),
                                     [](const Param& param) { return ParamList{{param}}.is_keyed(); });

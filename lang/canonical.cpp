@@ -45,7 +45,9 @@ class Canonical {
     for (const Param* param : sorted) this->param(*param);
     return *this;
   }
-  Canonical& use(const PluginUse& use) { return this->use(use.type, use.params); }
+  Canonical& use(const PluginUse& use) { return this->use(use.type, use.params).blur(use.blurs); }
+  /// Usual ones are as they were before there were others.
+  Canonical& blur(bool blurs) { return blurs ? *this : text("sharp"); }
 
   std::uint64_t digest() const { return dspm::digest(bytes_); }
 
@@ -157,7 +159,8 @@ class Digests {
           Canonical()
               .motion(use.world_from_instance, moments_)
               .number(use.reverse_orientation)
-              .number(use.dynamic_block),
+              .number(use.dynamic_block)
+              .blur(use.blurs),
           Kind::instance, use.dynamic_block);
       digests_.back().object = use.name;
     }

@@ -26,6 +26,7 @@ struct PluginUse {
   ParamList params;
   SourceLocation where;       // of the directive's word
   SourceLocation type_where;  // of the quoted type
+  bool blurs = true;          // false: while the shutter is open, it is as at the frame's own moment
 };
 
 struct CameraUse : PluginUse {
@@ -106,6 +107,7 @@ struct ObjectUse {
   bool reverse_orientation = false;
   int dynamic_block = -1;
   SourceLocation where;
+  bool blurs = true;  // as PluginUse's
 };
 
 /// A medium. Media are read and kept, so that missing support can be reported at the right place.

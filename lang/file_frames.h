@@ -66,6 +66,8 @@ class FileFrames {
   Moment moment(FileFrame f) const { return Moment(whole_moment(f).frames() + delay_); }
   /// Returns the moment that the frame is named after.
   Moment whole_moment(FileFrame f) const { return Moment(first_moment_.frames() + moment_index(f)); }
+  /// Returns the moment at which the frame shows what blurs, or what does not.
+  Moment moment(FileFrame f, bool blurs) const { return blurs ? moment(f) : whole_moment(f); }
   std::size_t combination_of(FileFrame f) const { return static_cast<std::size_t>(place(f).combination); }
   /// Returns the frame with this combination_of() and moment_index().
   FileFrame frame(int combination, int moment) const {

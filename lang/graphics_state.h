@@ -15,6 +15,8 @@ namespace dspm {
 enum class AttributeTarget { shape, light, material, medium, texture };
 inline constexpr int kAttributeTargets = 5;
 
+inline constexpr const char* kBlurParam = "blur";  // of DynamicBegin and Shape
+
 struct GraphicsState {
   CurrentTransform ctm;  // world from local, before WorldBegin camera from world
   ColourSpace space = ColourSpace::srgb;
@@ -22,6 +24,7 @@ struct GraphicsState {
   MaterialRef material;
   int area_light = -1;
   int dynamic_block = -1;
+  bool blurs = true;                                                                // of shapes, lights and instances
   std::array<std::shared_ptr<const ParamList>, kAttributeTargets> attributes = {};  // null: none; blocks share them
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "dspm/base/params/params.h"
 #include "dspm/base/system/readable.h"
@@ -15,27 +16,27 @@ constexpr const char* kOpen = "shutteropen";
 constexpr const char* kClose = "shutterclose";
 constexpr double kLongest = 1000;  // frames
 
-bool is_keyed(const PluginUse& use) { return use.params.is_keyed(); }
-bool is_keyed(const LightScale& scale) { return scale.params.is_keyed(); }
-bool is_keyed(const TextureUse& use) { return use.params.is_keyed() || use.world_from_texture.is_keyed(); }
-bool is_keyed(const LightUse& use) { return use.params.is_keyed() || use.world_from_light.is_keyed(); }
-bool is_keyed(const ShapeUse& use) { return use.params.is_keyed() || use.world_from_object.is_keyed(); }
-bool is_keyed(const ObjectUse& use) { return use.world_from_instance.is_keyed(); }
-bool is_keyed(const CameraUse& use) { return use.params.is_keyed() || use.camera_from_world.is_keyed(); }
+bool blurs(const PluginUse& use) { return use.blurs && use.params.is_keyed(); }
+bool blurs(const LightScale& scale) { return scale.params.is_keyed(); }
+bool blurs(const TextureUse& use) { return use.params.is_keyed() || use.world_from_texture.is_keyed(); }
+bool blurs(const LightUse& use) { return use.blurs && (use.params.is_keyed() || use.world_from_light.is_keyed()); }
+bool blurs(const ShapeUse& use) { return use.blurs && (use.params.is_keyed() || use.world_from_object.is_keyed()); }
+bool blurs(const ObjectUse& use) { return use.blurs && use.world_from_instance.is_keyed(); }
+bool blurs(const CameraUse& use) { return use.params.is_keyed() || use.camera_from_world.is_keyed(); }
 
 template <class Uses>
-std::size_t count_keyed(const Uses& uses) {
-  return static_cast<std::size_t>(
-      std::count_if(uses.begin(), uses.end(), [](const auto& use) { return is_keyed(use); }));
+std::size_t count_blurred(const Uses& uses) {
+  return static_cast<std::size_t>(std::count_if(uses.begin(), uses.end(), [](const auto& use) { return blurs(use); }));
 }
 
 struct Counts {
   std::size_t cameras = 0, shapes = 0, lights = 0, materials = 0, textures = 0;
 
   void add(const Variation& variation) {
-    cameras += variation.camera && is_keyed(*variation.camera) ? 1 : 0;
-    lights += count_keyed(variation.lights) + count_keyed(variation.light_sources) + count_keyed(variation.area_lights);
-    materials += count_keyed(variation.materials), textures += count_keyed(variation.textures);
+    cameras += variation.camera && blurs(*variation.camera) ? 1 : 0;
+    lights +=
+        count_blurred(variation.lights) + count_blurred(variation.light_sources) + count_blurred(variation.area_lights);
+    materials += count_blurred(variation.materials), textures += count_blurred(variation.textures);
   }
 };
 
@@ -92,11 +93,17 @@ Shutter shutter_of(const SceneDescription& scene, Diagnostics& diagnostics) {
 
 std::vector<std::string> what_moves(const SceneDescription& scene) {
   Counts counts;
-  if (scene.camera && is_keyed(*scene.camera)) counts.cameras = 1;
-  counts.shapes = count_keyed(scene.shapes) + count_keyed(scene.instances);
-  for (const ObjectDefinition& object : scene.objects) counts.shapes += count_keyed(object.shapes);
-  counts.lights = count_keyed(scene.lights) + count_keyed(scene.area_lights);
-  counts.materials = count_keyed(scene.materials), counts.textures = count_keyed(scene.textures);
+  if (scene.camera && blurs(*scene.camera)) counts.cameras = 1;
+  counts.shapes = count_blurred(scene.shapes);
+  std::set<std::string> sharp;  // objects
+  for (const ObjectDefinition& object : scene.objects) {
+    counts.shapes += count_blurred(object.shapes);
+    if (std::none_of(object.shapes.begin(), object.shapes.end(), [](const ShapeUse& use) { return use.blurs; }))
+      sharp.insert(object.name);
+  }
+  for (const ObjectUse& use : scene.instances) counts.shapes += blurs(use) && !sharp.contains(use.name) ? 1 : 0;
+  counts.lights = count_blurred(scene.lights) + count_blurred(scene.area_lights);
+  counts.materials = count_blurred(scene.materials), counts.textures = count_blurred(scene.textures);
   for (const VariationAxis& axis : scene.axes)
     for (const Variation& variation : axis.variations) counts.add(variation);
   std::vector<std::string> all;

@@ -22,7 +22,8 @@ struct Shutter {
 /// otherwise. In pbrt's language it is open from 0 to 1 by default, and closed in files with frames, which pbrt has not.
 Shutter shutter_of(const SceneDescription& scene, Diagnostics& diagnostics);
 
-/// Returns what has keys, and so may be elsewhere or look different a while after a frame's moment: "the camera", "3 shapes".
+/// Returns what has keys, and so may be elsewhere or look different a while after a frame's moment, unless it is said not
+/// to blur: "the camera", "3 shapes".
 std::vector<std::string> what_moves(const SceneDescription& scene);
 
 /// Returns the scene at a time after each frame's moment.

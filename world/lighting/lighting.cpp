@@ -56,7 +56,7 @@ class LightMaker {
         [&](FileFrame f) -> std::optional<Matrix4> {
           const LightUse& use = description_.light_of(own, f);
           if (!present[f.slot()] || use.type != typed.type) return std::nullopt;
-          const Moment moment = description_.frames.moment(f);
+          const Moment moment = description_.frames.moment(f, own.blurs && use.blurs);
           const Matrix4 place = own.world_from_light.at(moment);
           return &use == &own ? place : place * use.world_from_light.at(moment);
         },

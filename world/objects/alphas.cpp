@@ -33,7 +33,7 @@ int Alphas::of(const ShapeUse& use) {
     read_alpha(reader);
     if (diagnostics_.error_count() > errors) return -1;
   }
-  return looks_.add_number(std::move(alpha), use.where);
+  return looks_.add_number(std::move(alpha), use.where, use.blurs);
 }
 
 void Alphas::set(WorldShape& shape, int alpha, int state) const {

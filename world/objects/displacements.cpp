@@ -16,7 +16,8 @@ namespace {
 /// Returns the first placement that has an inverse, so that all frames have the same edges.
 Transform first_placement(const ShapeUse& use, const FileFrames& frames) {
   for (FileFrame f(0); f.index() < frames.count(); ++f)
-    if (const Matrix4 matrix = use.world_from_object.at(frames.moment(f)); matrix.is_affine() && matrix.inverse())
+    if (const Matrix4 matrix = use.world_from_object.at(frames.moment(f, use.blurs));
+        matrix.is_affine() && matrix.inverse())
       return Transform(matrix);
   return {};  // geometry reports it
 }
@@ -35,7 +36,7 @@ class Displacer {
     Param param = is_texture ? param_of(ParamType::texture, {}, std::vector{distance.texture}, distance.where)
                              : param_of(ParamType::number, {}, std::vector{distance.value}, distance.where);
     const auto [known, is_new] = numbers_.try_emplace({distance.texture, distance.value});
-    if (is_new) known->second = looks_.add_number({{std::move(param)}}, use_.where);
+    if (is_new) known->second = looks_.add_number({{std::move(param)}}, use_.where, use_.blurs);
     return known->second;
   }
 

@@ -41,6 +41,7 @@ Bounds3 union_of(int primitives, const BoxOf& box_of) {
 Geometry::Geometry(const SceneDescription& description, bool check_meshes, Looks& looks, KeptGeometry* kept,
                    Diagnostics& diagnostics)
     : description_(description),
+      whole_frames_(description.frames.after(0)),
       looks_(looks),
       alphas_(description, looks, diagnostics),
       diagnostics_(diagnostics),

@@ -113,7 +113,11 @@ class Geometry {
   void warn_of_relief(const ShapeUse& use, const Source& source);
   EmissionUse emission(const ShapeUse& use, const Shape& shape, int material);
 
+  /// Returns the file's frames, which show what blurs at other moments than the rest while the shutter is open.
+  const FileFrames& frames_of(bool blurs) const { return blurs ? description_.frames : whole_frames_; }
+
   const SceneDescription& description_;
+  const FileFrames whole_frames_;  // at the moments that they are named after
   Looks& looks_;
   Alphas alphas_;
   Diagnostics& diagnostics_;

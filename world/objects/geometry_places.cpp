@@ -120,7 +120,7 @@ Geometry::Placement Geometry::placement(const ShapeUse& use, const ObjectUse* in
     const std::vector<bool> there = presence(description_, instance->dynamic_block);
     for (std::size_t f = 0; f < present.size(); ++f) present[f] = present[f] && there[f];
   }
-  Timeline<Matrix4> matrices = placements(use, instance, description_.frames, present);
+  Timeline<Matrix4> matrices = placements(use, instance, frames_of(blurs(use, instance)), present);
   if (moves(use, instance)) {
     const std::string subject = instance ? fmt::format("object \"{}\"", instance->name) : subject_of(use);
     leave_out_unplaced(matrices, description_.frames, subject, instance ? instance->where : use.where, diagnostics_);

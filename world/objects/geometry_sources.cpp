@@ -24,7 +24,7 @@ namespace {
 bool are_alike(const ShapeUse& a, const ShapeUse& b) {
   return a.type == b.type && a.name == b.name && a.reverse_orientation == b.reverse_orientation &&
          a.material.index == b.material.index && a.material.name == b.material.name && a.area_light == b.area_light &&
-         a.dynamic_block == b.dynamic_block && a.world_from_object == b.world_from_object &&
+         a.dynamic_block == b.dynamic_block && a.blurs == b.blurs && a.world_from_object == b.world_from_object &&
          a.params.find("alpha") == nullptr && b.params.find("alpha") == nullptr;
 }
 
@@ -163,7 +163,7 @@ std::optional<Geometry::Source> Geometry::make_source(const ShapeUse& use, Diagn
   if (shape_plugins().find(use.type, use.type_where, diagnostics) == nullptr) return std::nullopt;
   Source source;
   source.params =
-      param_states(without_alpha(use.params), description_.frames, presence(description_, use.dynamic_block));
+      param_states(without_alpha(use.params), frames_of(use.blurs), presence(description_, use.dynamic_block));
   expect_same_in_all_frames(use, kShapeCausticsParam, diagnostics);
   expect_same_in_all_frames(use, kShadowCatcherParam, diagnostics);
   if (by_extent) take_extent(use, source, diagnostics);

@@ -135,7 +135,7 @@ Timeline<Recipe> Looks::recipes_of(const Definition& definition) const {
       frames.count(),
       [&](FileFrame f) {
         const Definition::Use& use = definition.uses[definition.use_of[frames.combination_of(f)]];
-        Source source{use, use.is_keyed() ? frames.moment(f) : Moment(), {}, {}, {}};
+        Source source{use, use.is_keyed() ? frames.moment(f, use.plugin->blurs) : Moment(), {}, {}, {}};
         add_ingredients<float>(source.numbers, use.plugin->params, f);
         add_ingredients<Rgb>(source.colours, use.plugin->params, f);
         add_ingredients(source.materials, use.plugin->params, f);
@@ -209,8 +209,9 @@ void Looks::make_states(Look<Texture<T>>& look, const TextureUse& own) {
   });
 }
 
-int Looks::add_number(std::string type, ParamList params, const SourceLocation& where) {
+int Looks::add_number(std::string type, ParamList params, const SourceLocation& where, bool blurs) {
   TextureUse& use = texture_uses_.emplace_back();
+  use.blurs = blurs;
   use.type = std::move(type), use.params = std::move(params), use.where = use.type_where = where;
   look_at_texture(numbers_.emplace_back(), use);
   return static_cast<int>(numbers_.size()) - 1;

@@ -43,11 +43,11 @@ class Looks {
   /// Adds a material from a geometry file, or returns the scene's of the same name.
   int add(const FileMaterial& material, const SourceLocation& where);
   /// Adds a texture of numbers without a name, of that type. Returns its index.
-  int add_number(std::string type, ParamList params, const SourceLocation& where);
+  int add_number(std::string type, ParamList params, const SourceLocation& where, bool blurs = true);
   /// Adds a parameter that is a number or names a texture, with keys or without. Returns its index.
-  int add_number(ParamList value, const SourceLocation& where) {
+  int add_number(ParamList value, const SourceLocation& where, bool blurs = true) {
     for (Param& param : value.params) param.name = "tex";
-    return add_number("scale", std::move(value), where);
+    return add_number("scale", std::move(value), where, blurs);
   }
   /// The number's state in each frame of the file.
   const std::vector<int>& states_of_number(int number) const { return numbers_[slot(number)].recipes.state_of; }

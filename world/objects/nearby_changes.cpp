@@ -72,7 +72,8 @@ class Finder {
   }
 
   void add_moved(int number, const WorldShape& shape, Frame frame, Nearby when) {
-    const Moment moment = description_.frames.moment(frames_[static_cast<std::size_t>(frame)]);
+    const Moment moment =
+        description_.frames.moment(frames_[static_cast<std::size_t>(frame)], blurs(*shape.use, shape.instance));
     const Matrix4 now = matrix_at(moment, *shape.use, shape.instance);
     const Matrix4 then = matrix_at(moment_of(moment, when), *shape.use, shape.instance);
     if (now == then || !is_sound(then)) return;

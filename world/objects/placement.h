@@ -17,4 +17,9 @@ inline bool moves(const ShapeUse& use, const ObjectUse* instance) {
   return use.world_from_object.is_keyed() || (instance != nullptr && instance->world_from_instance.is_keyed());
 }
 
+/// Returns whether it goes on while the shutter is open: if neither the shape nor the instance is said not to.
+inline bool blurs(const ShapeUse& use, const ObjectUse* instance) {
+  return use.blurs && (instance == nullptr || instance->blurs);
+}
+
 }  // namespace dspm

@@ -88,8 +88,8 @@ std::vector<bool> presence(const SceneDescription& scene, int dynamic_block) {
 }
 
 ParamList light_params(const SceneDescription& scene, const PluginUse& use, const std::string& name, FileFrame frame) {
-  const Moment moment = scene.frames.moment(frame);
-  ParamList params = params_at(use.params, scene.frames, moment);
+  ParamList params = use.blurs ? params_at(use.params, scene.frames, scene.frames.moment(frame))
+                               : use.params.at(scene.frames.whole_moment(frame));
   const float factor = name.empty() ? 1 : factor_of(scene, name, frame);
   if (factor == 1) return params;
   auto scale = std::find_if(params.params.begin(), params.params.end(),
