@@ -42,7 +42,7 @@ def prepare():
     format.file_format, format.color_depth, format.exr_codec = "OPEN_EXR_MULTILAYER", "32", "NONE"
     layer.use_pass_z = layer.use_pass_normal = layer.use_pass_position = layer.use_pass_uv = True
     layer.use_pass_cryptomatte_object = layer.dspm.albedo = layer.dspm.variance = True
-    layer.use_pass_mist = layer.use_pass_vector = layer.use_pass_diffuse_color = True
+    layer.use_pass_mist = layer.use_pass_diffuse_color = True
     layer.aovs.add().name = "own"
     layer.lightgroups.add(name="big lamp")
     bpy.data.objects["area"].lightgroup = "big lamp"
@@ -86,7 +86,7 @@ def rendered_alone(scene, name, animation):
 def expect_lacking(scene):
     """Passes that dspm does not have are named."""
     said = set(lacking(bpy.context.view_layer))
-    expect(said == {"Mist", "Vector", "Diffuse Color", "own"}, f"it says which passes are left out, not {said}")
+    expect(said == {"Mist", "Diffuse Color", "own"}, f"it says which passes are left out, not {said}")
 
 
 def rendered_in_blender(scene, name):

@@ -1,7 +1,9 @@
 """Blocks of the scene language: where something stands, and in which frames."""
+from operator import itemgetter
+
 from mathutils import Matrix
 
-from .directive import constant, keys, quoted, written
+from .directive import constant, key, keys, quoted, written
 
 INDENT = "  "
 
@@ -23,7 +25,7 @@ def pose(matrices):
     """The transform of (frame, matrix) pairs."""
     if constant(matrices):
         return transform(matrices[0][1])
-    return [f"Keyframe {frame} {matrix_text('ConcatTransform', matrix)}" for frame, matrix in keys(matrices)] + ["KeyframeEnd"]
+    return [f"Keyframe {key(frame)} {matrix_text('ConcatTransform', matrix)}" for frame, matrix in keys(matrices)] + ["KeyframeEnd"]
 
 
 def stretches(values):
@@ -59,14 +61,28 @@ def with_inverse(matrix):
     return matrix if matrix.to_3x3().determinant() else None
 
 
-def placed(name, matrices, all_frames, inside, deforms=False):
-    """`inside(frames)` yields lines that stand where (frame, matrix) pairs say; in other frames there is nothing."""
+def near(stretch, between):
+    """(frame, value) pairs together with the (time, value) pairs less than a frame before, between and after them."""
+    first, last = stretch[0][0], stretch[-1][0]
+    values = {time: value for time, value in between if first - 1 < time < last + 1.001}
+    return sorted((values | dict(stretch)).items(), key=itemgetter(0))
+
+
+def usable(matrices):
+    """(frame, matrix) pairs of what has a size."""
+    return [(frame, whole) for frame, matrix in matrices if (whole := with_inverse(matrix)) is not None]
+
+
+def placed(name, matrices, all_frames, inside, deforms=False, between=()):
+    """`inside(frames)` yields lines that stand where (frame, matrix) pairs say; in other frames there is nothing. `between` are
+    pairs of times between frames."""
     lines = []
-    matrices = [(frame, usable) for frame, matrix in matrices if (usable := with_inverse(matrix)) is not None]
-    for stretch in stretches(matrices):
+    between = usable(between)
+    for stretch in stretches(usable(matrices)):
         first, last = stretch[0][0], stretch[-1][0]
-        body = pose(stretch) + inside([frame for frame, _ in stretch])
-        if constant(stretch) and (first, last) == (1, all_frames) and not deforms:
+        way = near(stretch, between)
+        body = pose(way) + inside([frame for frame, _ in stretch])
+        if constant(way) and (first, last) == (1, all_frames) and not deforms:
             lines += ["AttributeBegin", *indented(body), "AttributeEnd"]
         else:
             lines += dynamic(name, first, last, all_frames, body)

@@ -3,7 +3,7 @@ import math
 
 from mathutils import Matrix, Vector
 
-from .blocks import pose
+from .blocks import near, pose
 from .directive import Directive, over_frames
 
 FLIP = Matrix.Scale(-1, 4, (0, 0, 1))
@@ -16,17 +16,23 @@ def unscaled(matrix):
 
 
 class Camera:
-    def __init__(self, notes):
-        self.notes, self.matrices, self.states = notes, [], []
+    def __init__(self, notes, shutter):
+        """`shutter` are its parameters of that."""
+        self.notes, self.shutter, self.matrices, self.states = notes, shutter, [], []
+        self.matrices_between, self.states_between = [], []
 
     def see(self, frame, camera, scene):
         if camera is None:
             raise RuntimeError("the scene has no camera")
         self.matrices.append((frame, FLIP @ unscaled(camera.matrix_world).inverted()))
-        self.states.append((frame, self._directive(camera, scene)))
+        self.states.append((frame, self._directive(camera, scene).with_params(self.shutter)))
+
+    def see_between(self, time, camera, scene):
+        self.matrices_between.append((time, FLIP @ unscaled(camera.matrix_world).inverted()))
+        self.states_between.append((time, self._directive(camera, scene).with_params(self.shutter)))
 
     def lines(self):
-        return [*pose(self.matrices), over_frames(self.states, self.notes)]
+        return [*pose(near(self.matrices, self.matrices_between)), over_frames(near(self.states, self.states_between), self.notes)]
 
     def shows(self, matrices):
         """Does the picture of any frame show a part of the unit square, or ball, that (frame, matrix) pairs place?"""

@@ -39,6 +39,11 @@ class Directive:
         return self.head() == other.head() and self.params.keys() == other.params.keys()
 
 
+def key(frame):
+    """A frame, or a time between two."""
+    return f"{frame:.12g}"
+
+
 def keys(values):
     """Of (frame, value) pairs those that say the same: the inside of a stretch without change is left out."""
     return [(frame, value) for i, (frame, value) in enumerate(values)
@@ -61,5 +66,5 @@ def over_frames(states, notes):
         if constant(values):
             keyed.params[name] = first.params[name]
         else:
-            keyed.params.update({f"{name}@{frame}": value for frame, value in keys(values)})
+            keyed.params.update({f"{name}@{key(frame)}": value for frame, value in keys(values)})
     return str(keyed)

@@ -26,9 +26,9 @@ class Hair:
         self.files[frame] = self.current
         self.matrices.append((frame, matrix))
 
-    def lines(self, all_frames):
+    def lines(self, all_frames, between):
         return in_block(self.block, placed(self.name, self.matrices, all_frames, lambda frames: self._inside(frames, all_frames),
-                                           len(set(self.files.values())) > 1))
+                                           len(set(self.files.values())) > 1, between))
 
     def _inside(self, frames, all_frames):
         lines = [f"NamedMaterial {quoted(self.material)}", f'Attribute "shape" "string name" {quoted(self.name)}']

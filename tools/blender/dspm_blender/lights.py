@@ -26,7 +26,7 @@ class Light:
     def __init__(self, name, notes, block):
         """`block` is the Dynamic block that it comes and goes with, or None."""
         self.name, self.notes, self.block = name, notes, block
-        self.matrices, self.lights, self.shapes = [], [], []
+        self.matrices, self.lights, self.shapes, self.between = [], [], [], []
 
     def see(self, frame, instance):
         light = instance.object.data
@@ -40,6 +40,11 @@ class Light:
         self.lights.append((frame, directive.with_params(self.common)))
         self.shapes.append((frame, shape))
 
+    def see_between(self, time, instance):
+        light = instance.object.data
+        if light.type != "AREA" or area_of(light, instance.matrix_world):
+            self.between.append((time, KINDS[light.type](self, light, instance.matrix_world)[0]))
+
     def lines(self, all_frames, camera):
         """A lamp that the camera is not to see is a hole if it would, and a sun a point; else mirrors show it, as in Cycles."""
         if not self.lights:
@@ -52,7 +57,7 @@ class Light:
         elif any(light.params.get("float angle") for _, light in self.lights):
             for _, light in self.lights:  # dspm's suns are disks in all frames or in none
                 light.params["float angle"] = max(light.params["float angle"], LEAST_ANGLE)
-        return in_block(self.block, placed(self.name, self.matrices, all_frames, self._inside))
+        return in_block(self.block, placed(self.name, self.matrices, all_frames, self._inside, between=self.between))
 
     def _extents(self):
         """What places the unit square or ball that is the lamp; a sun's disk is far away."""

@@ -8,7 +8,7 @@ class Placement:
     """An object or instance over the frames."""
 
     def __init__(self, name, block):
-        self.name, self.block, self.matrices = name, block, []
+        self.name, self.block, self.matrices, self.between = name, block, [], ()
 
 
 class Objects:
@@ -33,10 +33,13 @@ class Objects:
             instance_key(instance), Placement(object.name, block))
         placement.matrices.append((frame, instance.matrix_world.copy()))
 
-    def lines(self, all_frames):
+    def lines(self, all_frames, between):
+        """`between` has the places at times between frames, by the instance's key."""
         for geometry in self.geometries.values():
             geometry.finish()
         for i, ((key, names, params), placements) in enumerate(self.placements.items()):
+            for instance, placement in placements.items():
+                placement.between = between.get(instance, ())
             geometry, params, placements = self.geometries[key], dict(params), list(placements.values())
             if len(placements) == 1:
                 yield from self._alone(geometry, names, params, placements[0], all_frames)
@@ -47,7 +50,7 @@ class Objects:
         inside = lambda frames: self._shapes(
             geometry, names, placement.name, frames, all_frames, params, True)
         return in_block(placement.block,
-                        placed(placement.name, placement.matrices, all_frames, inside, geometry.deforms()))
+                        placed(placement.name, placement.matrices, all_frames, inside, geometry.deforms(), placement.between))
 
     def _many(self, name, geometry, names, params, placements, all_frames):
         frames = list(range(1, all_frames + 1))
@@ -56,7 +59,8 @@ class Objects:
         yield "ObjectEnd"
         for placement in placements:
             yield from in_block(placement.block, placed(
-                placement.name, placement.matrices, all_frames, lambda _: [f"ObjectInstance {quoted(name)}"]))
+                placement.name, placement.matrices, all_frames, lambda _: [f"ObjectInstance {quoted(name)}"],
+                between=placement.between))
 
     def _shapes(self, geometry, names, name, frames, all_frames, params, in_their_block):
         lines = []
@@ -98,3 +102,5 @@ def parameters(object):
         yield "float alpha", 0.0
     if object.is_shadow_catcher:
         yield "bool shadowcatcher", True
+    if not getattr(getattr(object, "cycles", None), "use_motion_blur", True):
+        yield "bool blur", False

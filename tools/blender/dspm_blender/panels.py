@@ -2,6 +2,7 @@
 import bpy
 
 from .baking_operators import BakeTextures, ForgetTextures
+from .versions import owner_of_shutter_position
 
 
 class RenderPanel(bpy.types.Panel):
@@ -47,7 +48,7 @@ class PassesPanel(bpy.types.Panel):
     def draw(self, context):
         layout, layer = self.layout, context.view_layer
         layout.use_property_split = True
-        for name in ("use_pass_z", "use_pass_normal", "use_pass_position", "use_pass_uv"):
+        for name in ("use_pass_z", "use_pass_normal", "use_pass_position", "use_pass_uv", "use_pass_vector"):
             layout.prop(layer, name)
         for name in ("albedo", "variance", "denoising_data"):
             layout.prop(layer.dspm, name)
@@ -55,7 +56,26 @@ class PassesPanel(bpy.types.Panel):
         layout.prop(layer, "use_pass_cryptomatte_material")
 
 
-CLASSES = (RenderPanel, PassesPanel)
+class MotionBlurPanel(bpy.types.Panel):
+    bl_label = "Motion Blur"
+    bl_idname = "DSPM_PT_motion_blur"
+    bl_space_type, bl_region_type, bl_context = "PROPERTIES", "WINDOW", "render"
+    COMPAT_ENGINES = {"DSPM"}
+
+    poll = RenderPanel.poll
+
+    def draw_header(self, context):
+        self.layout.prop(context.scene.render, "use_motion_blur", text="")
+
+    def draw(self, context):
+        layout, scene = self.layout, context.scene
+        layout.use_property_split, layout.active = True, scene.render.use_motion_blur
+        if owner := owner_of_shutter_position(scene):
+            layout.prop(owner, "motion_blur_position", text="Position")
+        layout.prop(scene.render, "motion_blur_shutter")
+
+
+CLASSES = (RenderPanel, MotionBlurPanel, PassesPanel)
 # Blender's panels are for its own engines by name. Those for any engine name BLENDER_RENDER; these do not, and hold as well.
 OURS_TOO = {"DATA_PT_camera_dof", "DATA_PT_camera_dof_aperture", "DATA_PT_EEVEE_light", "EEVEE_MATERIAL_PT_context_material",
             "EEVEE_MATERIAL_PT_surface", "EEVEE_MATERIAL_PT_volume", "EEVEE_WORLD_PT_surface",

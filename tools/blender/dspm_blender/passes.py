@@ -12,7 +12,7 @@ class Pass:
     letters: str    # one for each of its channels
     kind: str       # of its socket
     output: str     # dspm's --aov; empty: radiance as it is before it is denoised
-    channels: tuple
+    channels: tuple  # "-" before a name: with the other sign
 
 
 def passes(layer, denoise):
@@ -27,6 +27,8 @@ def passes(layer, denoise):
         yield Pass("Position", "XYZ", "VECTOR", "P", ("P.X", "P.Y", "P.Z"))
     if layer.use_pass_uv:
         yield Pass("UV", "UVA", "VECTOR", "uv", ("u", "v"))
+    if layer.use_pass_vector:  # as Cycles has it: to where it was, and from where it will be
+        yield Pass("Vector", "XYZW", "VECTOR", "motion", ("backward.u", "backward.v", "-forward.u", "-forward.v"))
     if layer.dspm.albedo:
         yield Pass("Albedo", "RGB", "COLOR", "albedo", ("Albedo.R", "Albedo.G", "Albedo.B"))
     if layer.dspm.variance:
@@ -44,7 +46,7 @@ def passes(layer, denoise):
         yield Pass(f"Combined_{group.name}", "RGB", "COLOR", "lights", channels)
 
 
-COVERED = {"use_pass_combined", "use_pass_z", "use_pass_normal", "use_pass_position", "use_pass_uv",
+COVERED = {"use_pass_combined", "use_pass_z", "use_pass_normal", "use_pass_position", "use_pass_uv", "use_pass_vector",
            "use_pass_cryptomatte_object", "use_pass_cryptomatte_material", "use_pass_cryptomatte_accurate"}
 
 
@@ -60,7 +62,7 @@ def lacking(layer):
 def picture(exr, channels, width):
     """Rows of pixels, `width` numbers in each; what the file does not have is 0."""
     nothing = np.zeros((exr.height, exr.width), dtype=np.float32)
-    columns = [exr.channels.get(name, nothing) for name in channels]
+    columns = [-exr.channels.get(name[1:], nothing) if name[0] == "-" else exr.channels.get(name, nothing) for name in channels]
     return np.dstack(columns + [nothing] * (width - len(columns))).reshape(-1, width)
 
 

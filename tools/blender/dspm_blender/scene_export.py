@@ -8,6 +8,7 @@ from .lights import KINDS, Light
 from .materials import Materials
 from .notes import Notes
 from .objects import Objects, instance_key
+from .shutter import lacks
 from .strands import curves_strands, hair_systems, particle_strands
 from .textures import Textures, file_name
 from .variations import Variations
@@ -18,14 +19,15 @@ from .world import World
 class SceneExport:
     """Looks at one frame after the other, and then writes."""
 
-    def __init__(self, path, variations):
+    def __init__(self, path, variations, shutter):
         self.path, self.notes, self.variations = path, Notes(), Variations(variations)
         stem = os.path.splitext(path)[0]
         self.meshes = folder(f"{stem}.meshes")
         self.textures = Textures(f"{stem}.textures")
         self.materials = Materials(self.textures, self.notes)
-        self.camera, self.world = Camera(self.notes), World(self.textures.folder, self.notes)
+        self.camera, self.world = Camera(self.notes, shutter.params()), World(self.textures.folder, self.notes)
         self.objects, self.lights, self.hair = Objects(self.meshes, self.materials), {}, {}
+        self.between = {}  # the instance's key -> [(time, matrix)]
 
     def see(self, frame, depsgraph):
         """Frames count from 1."""
@@ -53,6 +55,20 @@ class SceneExport:
                 self.notes.add(f'object "{object.name}": {object.type.lower()} is left out')
         self.variations.see(frame, self.materials)
 
+    def see_between(self, time, depsgraph):
+        """Where things are at a time between frames."""
+        scene = depsgraph.scene
+        for lack in lacks(scene):
+            self.notes.add(lack)
+        if scene.camera:
+            self.camera.see_between(time, scene.camera.evaluated_get(depsgraph), scene)
+        for instance in depsgraph.object_instances:
+            key = instance_key(instance)
+            if key in self.lights:
+                self.lights[key].see_between(time, instance)
+            else:
+                self.between.setdefault(key, []).append((time, instance.matrix_world.copy()))
+
     def _note_lacks(self, instance, layer):
         """What view layers ask of objects' collections, or the object itself."""
         object = (instance.parent if instance.is_instance else instance.object).original
@@ -74,11 +90,11 @@ class SceneExport:
     def write(self, scene, settings, frames):
         """`frames` is their number."""
         world = self.world.lines()
-        for hair in self.hair.values():
-            world += hair.lines(frames)
+        for (key, _), hair in self.hair.items():
+            world += hair.lines(frames, self.between.get(key, ()))
         for light in self.lights.values():
             world += light.lines(frames, self.camera)
-        world += [*self.objects.lines(frames), *self.variations.lines(self.materials)]
+        world += [*self.objects.lines(frames, self.between), *self.variations.lines(self.materials)]
         lines = [*head(scene, settings, frames, self.path), *self.camera.lines(), "", "WorldBegin",
                  *self.textures.lines, *self.materials.lines(), *world]
         with open(self.path, "w", encoding="utf-8") as file:

@@ -28,6 +28,18 @@ VIEWS = {("Standard", "None"): "standard", ("Khronos PBR Neutral", "None"): "neu
          ("AgX", "AgX - Base Contrast"): "agx", ("AgX", "AgX - Punchy"): "agx-punchy", ("Raw", "None"): "raw"}
 
 
+def owner_of_shutter_position(scene):
+    """Of "motion_blur_position": once Cycles, now the render. None: Cycles is off."""
+    owners = (scene.render, getattr(scene, "cycles", None))
+    return next((owner for owner in owners if hasattr(owner, "motion_blur_position")), None)
+
+
+def shutter_position(scene):
+    """START, CENTER or END: where in the time that the shutter is open the frame lies."""
+    owner = owner_of_shutter_position(scene)
+    return owner.motion_blur_position if owner else "CENTER"
+
+
 def fill(rect, pixels):
     """Blender 3 takes an array of pixels for those of a pass, later ones an array of all their numbers."""
     try:
