@@ -19,6 +19,16 @@ inline bool read_repair(ParamReader& reader) {
   return reader.flag("repair", false, "repair the mesh if it is not a closed surface");
 }
 
+/// Parameters for the world, which deforms meshes while the shutter is open.
+inline constexpr const char* kBetweenParam = "between";
+inline constexpr const char* kVelocityScaleParam = "velocityscale";
+
+/// Checks the parameter that says what a sequence of files shows between its frames.
+inline void read_between(ParamReader& reader) {
+  reader.choice(kBetweenParam, "linear", {"linear", "hold"},
+                "while the shutter is open, on the way to the next file of a sequence, or as in its own");
+}
+
 /// Reads "faceIndices", one number per face. Of pbrt's plugins, only the texture "ptex" asks for them, and dspm does
 /// not have it.
 inline void read_face_indices(ParamReader& reader, std::size_t faces) {

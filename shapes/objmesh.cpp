@@ -10,6 +10,7 @@
 // | group     | ""       | only this group or object of the file; "": all |
 // | materials | true     | use the file's materials; false: the scene's material |
 // | repair    | false    | repairs the mesh if it is not a closed surface: see mesh_repair.h |
+// | between   | linear   | while the shutter is open, vertices are on their way to the next file of a sequence; hold: they stay |
 //
 // Materials of MTL files: illum 4, 6, 7 and 9 are "dielectric" with Ni as eta (1.5 if there is none) and Pr^2 as GGX
 // alpha, or with a Tf below 1 "principled" with transmission 1. Others are "principled" if they have Pr, Pm, Ps, Pc or
@@ -65,6 +66,7 @@ std::vector<MadeShape> make_objmesh(ParamReader& reader) {
   const std::string group = reader.text("group", "", "only this group or object of the file");
   const bool materials = reader.flag("materials", true, "use the materials of the file's MTL files");
   const bool repair = read_repair(reader);
+  read_between(reader);
   reader.finish();
 
   std::vector<MadeShape> made;

@@ -3,74 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
-#include <charconv>
-#include <cstring>
 
 #include "dspm/shapes/ply_header.h"
+#include "dspm/shapes/ply_numbers.h"
 #include "dspm/shapes/polygons.h"
 #include "dspm/shapes/vertex_colour.h"
 
 namespace dspm {
 namespace {
-
-[[noreturn]] void fail_at_end() { throw std::runtime_error("the file ends early"); }
-
-/// Numbers separated by white space.
-class AsciiNumbers {
- public:
-  explicit AsciiNumbers(std::string_view data) : at_(data.data()), end_(data.data() + data.size()) {}
-  std::size_t rest() const { return static_cast<std::size_t>(end_ - at_); }
-
-  double next(PlyType) {
-    while (at_ != end_ && (*at_ == ' ' || (*at_ >= '\t' && *at_ <= '\r'))) ++at_;
-    if (at_ == end_) fail_at_end();
-    if (*at_ == '+') ++at_;
-    double value = 0;
-    const auto [stop, error] = std::from_chars(at_, end_, value);
-    if (error != std::errc()) throw std::runtime_error("this is not a number");
-    at_ = stop;
-    return value;
-  }
-
- private:
-  const char* at_;
-  const char* end_;
-};
-
-template <bool big_endian>
-class BinaryNumbers {
- public:
-  explicit BinaryNumbers(std::string_view data) : data_(data) {}
-  std::size_t rest() const { return data_.size(); }
-
-  double next(PlyType type) {
-    switch (type) {
-      case PlyType::int8: return take<std::int8_t>();
-      case PlyType::uint8: return take<std::uint8_t>();
-      case PlyType::int16: return take<std::int16_t>();
-      case PlyType::uint16: return take<std::uint16_t>();
-      case PlyType::int32: return take<std::int32_t>();
-      case PlyType::uint32: return take<std::uint32_t>();
-      case PlyType::float32: return double{take<float>()};
-      case PlyType::float64: break;
-    }
-    return take<double>();
-  }
-
- private:
-  template <class T>
-  T take() {
-    if (data_.size() < sizeof(T)) fail_at_end();
-    char bytes[sizeof(T)];
-    std::memcpy(bytes, data_.data(), sizeof(T));
-    data_.remove_prefix(sizeof(T));
-    if constexpr (big_endian != (std::endian::native == std::endian::big)) std::reverse(bytes, bytes + sizeof(T));
-    return std::bit_cast<T>(bytes);
-  }
-
-  std::string_view data_;
-};
 
 /// Converts a colour. Those of whole numbers are pictures' (sRGB), others linear.
 float colour_of(double value, PlyType type, bool is_opacity) {
@@ -100,20 +40,28 @@ enum Slot {
   kGreen,
   kBlue,
   kAlpha,
+  kVx,
+  kVy,
+  kVz,
   kSlots,
   kNone = kSlots
 };
 
 Slot slot_of(const PlyProperty& property) {
   static constexpr std::pair<std::string_view, Slot> table[] = {
-      {"x", kX},         {"y", kY},         {"z", kZ},     {"nx", kNx},       {"ny", kNy},       {"nz", kNz},
-      {"u", kU},         {"v", kV},         {"s", kU},     {"t", kV},         {"texture_u", kU}, {"texture_v", kV},
-      {"texture_s", kU}, {"texture_t", kV}, {"tx", kTx},   {"ty", kTy},       {"tz", kTz},       {"tw", kTw},
-      {"u2", kU2},       {"v2", kV2},       {"red", kRed}, {"green", kGreen}, {"blue", kBlue},   {"alpha", kAlpha}};
+      {"x", kX},         {"y", kY},         {"z", kZ},           {"nx", kNx},         {"ny", kNy},
+      {"nz", kNz},       {"u", kU},         {"v", kV},           {"s", kU},           {"t", kV},
+      {"texture_u", kU}, {"texture_v", kV}, {"texture_s", kU},   {"texture_t", kV},   {"tx", kTx},
+      {"ty", kTy},       {"tz", kTz},       {"tw", kTw},         {"u2", kU2},         {"v2", kV2},
+      {"red", kRed},     {"green", kGreen}, {"blue", kBlue},     {"alpha", kAlpha},   {"vx", kVx},
+      {"vy", kVy},       {"vz", kVz},       {"velocity_x", kVx}, {"velocity_y", kVy}, {"velocity_z", kVz}};
   for (const auto& [name, slot] : table)
     if (name == property.name && !property.is_list) return slot;
   return kNone;
 }
+
+/// Returns whether it holds vx, vy and vz.
+bool is_velocity(const PlyProperty& property) { return property.is_list && property.name == "velocity"; }
 
 bool is_corners(const PlyProperty& property) {
   return property.is_list && (property.name == "vertex_indices" || property.name == "vertex_index");
@@ -156,6 +104,8 @@ class BodyReader {
     has_uvs_ = has({kU, kV});
     has_tangents_ = has({kTx, kTy, kTz}), has_signs_ = has_tangents_ && has({kTw}), has_second_uvs_ = has({kU2, kV2});
     has_colours_ = has({kRed, kGreen, kBlue}), has_opacities_ = has({kAlpha});
+    has_velocities_ =
+        has({kVx, kVy, kVz}) || std::any_of(element.properties.begin(), element.properties.end(), is_velocity);
     mesh_.vertices.reserve(room);
     mesh_.normals.reserve(has_normals_ ? room : 0);
     mesh_.uvs.reserve(has_uvs_ ? room : 0);
@@ -163,6 +113,7 @@ class BodyReader {
     mesh_.turned.reserve(has_signs_ ? room : 0);
     mesh_.second_uvs.reserve(has_second_uvs_ ? room : 0);
     mesh_.colours.reserve(has_colours_ ? room : 0);
+    mesh_.velocities.reserve(has_velocities_ ? room : 0);
   }
 
   bool has(std::initializer_list<Slot> slots) const {
@@ -185,7 +136,9 @@ class BodyReader {
     float value[kSlots + 1] = {};
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
       const PlyProperty& property = element.properties[i];
-      if (property.is_list)
+      if (is_velocity(property))
+        read_velocity(property, value);
+      else if (property.is_list)
         skip(property);
       else if (const Slot slot = slots_[i]; slot >= kRed && slot <= kAlpha)
         value[slot] = colour_of(numbers_.next(property.type), property.type, slot == kAlpha);
@@ -200,6 +153,13 @@ class BodyReader {
     if (has_second_uvs_) mesh_.second_uvs.push_back({value[kU2], value[kV2]});
     if (has_colours_)
       mesh_.colours.push_back({value[kRed], value[kGreen], value[kBlue], has_opacities_ ? value[kAlpha] : 1});
+    if (has_velocities_) mesh_.velocities.push_back({value[kVx], value[kVy], value[kVz]});
+  }
+
+  void read_velocity(const PlyProperty& property, float* value) {
+    if (const std::uint64_t count = count_of(property); count != 3)
+      throw std::runtime_error(fmt::format("a velocity of {} numbers, not 3", count));
+    for (const Slot slot : {kVx, kVy, kVz}) value[slot] = static_cast<float>(numbers_.next(property.type));
   }
 
   void read_face(const PlyElement& element) {
@@ -263,7 +223,7 @@ class BodyReader {
   Numbers numbers_;
   std::vector<Slot> slots_;  // of the vertices' properties
   bool has_normals_ = false, has_uvs_ = false, has_tangents_ = false, has_signs_ = false, has_second_uvs_ = false;
-  bool has_colours_ = false, has_opacities_ = false;
+  bool has_colours_ = false, has_opacities_ = false, has_velocities_ = false;
   Polygons polygons_;
   std::vector<Face> strips_;
   MeshData mesh_;

@@ -8,11 +8,14 @@
 // | filename  | required | the file |
 // | displacement | 0 | moves the surface along its normals by that distance or texture, see displace.h; the file must have texture coordinates |
 // | edgelength | 1 | of a displaced mesh: triangles are split until no edge is longer, in the world |
-// | extent    | none     | two corners of a box that holds all meshes of a sequence: those of frames that are not rendered are not read |
+// | extent    | none     | two corners of a box that holds all meshes of a sequence, also where velocities take them: those of frames that are not rendered are not read |
+// | between   | linear   | while the shutter is open, vertices are on their way to the next file of a sequence; hold: they stay |
+// | velocityscale | 1    | multiplies the velocities of vertices; 0 in .pbrt files |
 // | repair    | false    | repairs the mesh if it is not a closed surface: see mesh_repair.h |
 //
 // In a Dynamic block `%03d` in the name stands for the frame's number; if a file of the sequence has no faces, the
-// shape is not there. [Turk 1994, The PLY Polygon File Format]
+// shape is not there. While the shutter is open, vertices with velocities (vx vy vz, velocity_x velocity_y velocity_z, or
+// a list velocity) move along them: by one a second if `Frames` gives fps, else by one a frame. [Turk 1994, The PLY Polygon File Format]
 #include <fmt/format.h>
 
 #include <optional>
@@ -43,12 +46,6 @@ std::optional<Bounds3> read_extent(ParamReader& reader) {
   return std::nullopt;
 }
 
-bool holds(const Bounds3& box, const std::vector<Vec3>& points) {
-  Bounds3 wider = box;
-  for (const Vec3& p : points) wider.add(p);
-  return wider.low == box.low && wider.high == box.high;
-}
-
 }  // namespace
 
 std::vector<MadeShape> make_plymesh(ParamReader& reader) {
@@ -59,6 +56,8 @@ std::vector<MadeShape> make_plymesh(ParamReader& reader) {
   const bool displaces = reader.has("displacement");
   const bool repair = read_repair(reader);
   const std::optional<Bounds3> extent = read_extent(reader);
+  read_between(reader);
+  reader.number(kVelocityScaleParam, 1, "", "multiplies the velocities of vertices; 0 in .pbrt files");
   reader.finish();
 
   std::vector<MadeShape> made;

@@ -44,6 +44,8 @@ std::optional<std::string> fault_of(const MeshData& data) {
     return fmt::format("{} second texture coordinates for {} vertices", data.second_uvs.size(), count);
   if (!data.colours.empty() && data.colours.size() != count)
     return fmt::format("{} colours for {} vertices", data.colours.size(), count);
+  if (!data.velocities.empty() && data.velocities.size() != count)
+    return fmt::format("{} velocities for {} vertices", data.velocities.size(), count);
   for (std::size_t i = 0; i < data.faces.size(); ++i)
     for (const int v : data.faces[i])
       if (v < 0 || static_cast<std::size_t>(v) >= count)
@@ -51,6 +53,8 @@ std::optional<std::string> fault_of(const MeshData& data) {
                            static_cast<long>(count) - 1);
   for (std::size_t i = 0; i < count; ++i)
     if (!is_finite(data.vertices[i])) return fmt::format("vertex {} is not finite", i);
+  for (std::size_t i = 0; i < data.velocities.size(); ++i)
+    if (!is_finite(data.velocities[i])) return fmt::format("the velocity of vertex {} is not finite", i);
   return std::nullopt;
 }
 
@@ -67,6 +71,7 @@ TriangleMesh::TriangleMesh(MeshData data) : data_(std::move(data)) {
 
 TriangleMesh TriangleMesh::transformed(const Transform& to_world) const {
   MeshData world = data_;
+  world.velocities.clear();
   for (Vec3& p : world.vertices) p = to_world.point(p);
   for (Vec3& n : world.normals) n = to_world.normal(n);
   for (Vec3& t : world.tangents) t = to_world.vector(t);
@@ -79,7 +84,9 @@ TriangleMesh TriangleMesh::transformed(const Transform& to_world) const {
 
 std::size_t TriangleMesh::memory() const {
   return sizeof *this +
-         (data_.vertices.capacity() + data_.normals.capacity() + data_.tangents.capacity()) * sizeof(Vec3) +
+         (data_.vertices.capacity() + data_.normals.capacity() + data_.tangents.capacity() +
+          data_.velocities.capacity()) *
+             sizeof(Vec3) +
          (data_.uvs.capacity() + data_.second_uvs.capacity()) * sizeof(Vec2) +
          data_.colours.capacity() * sizeof data_.colours[0] + data_.turned.capacity() / 8 +
          data_.faces.capacity() * sizeof(Face);

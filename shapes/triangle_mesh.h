@@ -28,6 +28,7 @@ struct MeshData {
   std::vector<bool> turned = {};                   // whether v runs against cross(n, tangent); one per vertex, or none
   std::vector<Vec2> second_uvs = {};               // one per vertex, or none
   std::vector<std::array<float, 4>> colours = {};  // likewise: linear red, green, blue, and opacity
+  std::vector<Vec3> velocities = {};               // likewise: see moved() in deform.h
 };
 
 /// Returns why `data` is not a mesh (an index out of range, a wrong count, a coordinate that is not finite); nullopt if
@@ -48,7 +49,8 @@ class TriangleMesh final : public Shape, public VertexData {
   const Vec3& vertex(int face, int corner) const {
     return data_.vertices[static_cast<std::size_t>(index(face, corner))];
   }
-  /// Returns the mesh with its vertices in world space; its outside stays the outside even if `to_world` mirrors.
+  /// Returns the mesh with its vertices in world space, without velocities; its outside stays the outside even if
+  /// `to_world` mirrors.
   TriangleMesh transformed(const Transform& to_world) const;
   std::size_t memory() const;  // bytes
 
