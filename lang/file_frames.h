@@ -64,6 +64,7 @@ class FileFrames {
   int moment_index(FileFrame f) const { return place(f).moment; }
   /// Returns the moment that the frame shows, see after().
   Moment moment(FileFrame f) const { return Moment(whole_moment(f).frames() + delay_); }
+  double delay() const { return delay_; }  // see after()
   /// Returns the moment that the frame is named after.
   Moment whole_moment(FileFrame f) const { return Moment(first_moment_.frames() + moment_index(f)); }
   /// Returns the moment at which the frame shows what blurs, or what does not.

@@ -234,7 +234,8 @@ class SceneReader {
   const SourceFile& load_gltf(const std::string& path, const gltf::Settings& settings, const SourceLocation& where) {
     const fs::path file(path);
     gltf::Translation translation = gltf::translate(file, file.filename().string(), settings);
-    for (auto& [name, bytes] : translation.files) offer_inner_file(file.parent_path() / name, std::move(bytes));
+    for (auto& [name, bytes] : translation.files)
+      offer_inner_file(file.parent_path() / name, std::move(bytes), std::move(translation.files_later[name]));
     files_.put(path, std::move(translation.text));
     for (const std::string& note : translation.notes) diagnostics_.note(where, fmt::format("{}: {}", path, note));
     return files_.load(path);

@@ -19,10 +19,12 @@ double delay_of(int iteration, const Shutter& shutter, const RenderSettings& ren
 
 std::vector<std::string> explain_shutter(const Job& job) {
   if (!job.shutter.delays()) return {};
+  std::vector<std::string> moves = what_moves(*job.description);
+  if (moves.empty()) moves.emplace_back("meshes with velocities");
   return {fmt::format(
       "shutter: open from {} to {} frames after each frame's moment; meanwhile {} may change. Each iteration "
       "shows one time of it, the same in all frames, and makes its scene anew.",
-      job.shutter.open, job.shutter.close, fmt::join(what_moves(*job.description), ", "))};
+      job.shutter.open, job.shutter.close, fmt::join(moves, ", "))};
 }
 
 Iteration Exposure::iteration(int number) {

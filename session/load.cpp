@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/transform.h"
 #include "dspm/base/system/plain_text.h"
@@ -101,7 +103,10 @@ void LoadedScene::make(const Choices& choices, Diagnostics& diagnostics, KeptGeo
                              &job.frames, job.shutter.delays()};
   world_options.nearby = has_motion(job.settings.outputs);
   world = std::make_unique<World>(*description, world_options, diagnostics);
-  if (job.shutter.delays() && diagnostics.error_count() == 0) world->after(job.shutter.close);  // shows errors early
+  if (what_moves(*description).empty() && !world->has_velocities()) job.shutter = {};
+  const auto& [open, close] = job.shutter;
+  if (job.shutter.delays() && diagnostics.error_count() == 0)  // shows errors early
+    world->after(std::abs(open) > std::abs(close) ? open : close, &diagnostics);
   job.settings.file = std::make_shared<FileSample>(
       world->sample_frames(), [world = world.get()] { return world->scene(world->sample_frames()); });
 }

@@ -27,7 +27,7 @@ TestScene::~TestScene() = default;
 const Job& TestScene::job() const { return impl_->loaded.job; }
 const World& TestScene::world() const { return *impl_->loaded.world; }
 
-int TestScene::frame_count() const { return world().frame_count(); }
+int TestScene::frame_count() const { return job().description->frames.count(); }
 
 std::vector<FileFrame> TestScene::all_frames() const {
   std::vector<FileFrame> frames(static_cast<std::size_t>(frame_count()));

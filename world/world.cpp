@@ -37,6 +37,14 @@ void refuse_media(const SceneDescription& description, Diagnostics& diagnostics)
       diagnostics.unsupported(use.where, "dspm does not render participating media", "with --lenient, they are empty");
 }
 
+void add_new_notes(const Diagnostics& from, Diagnostics& to) {
+  std::vector<std::string> known;
+  for (const Diagnostic& each : to.all()) known.push_back(each.message);
+  for (const Diagnostic& each : from.all())
+    if (each.severity == Severity::note && std::find(known.begin(), known.end(), each.message) == known.end())
+      to.note(each.where, each.message, each.hint);
+}
+
 template <class T>
 FrameStates<T> cut(const Timeline<std::shared_ptr<const T>>& line, const std::vector<FileFrame>& frames) {
   FrameStates<T> result;
@@ -218,13 +226,14 @@ World::World(const SceneDescription& description, const WorldOptions& options, D
 World::World(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 World::~World() = default;
 
-std::unique_ptr<World> World::after(double delay) const {
+std::unique_ptr<World> World::after(double delay, Diagnostics* notes) const {
   WorldOptions options = impl_->options;
   options.check_meshes = false;
   auto text = std::make_unique<const SceneDescription>(dspm::after(impl_->description, delay));
   Diagnostics diagnostics(true);
   auto later = std::make_unique<Impl>(*text, options, diagnostics, impl_.get());
   diagnostics.throw_if_errors();
+  if (notes != nullptr) add_new_notes(diagnostics, *notes);
   later->own_description = std::move(text);
   if (options.kept != nullptr) options.kept->scene_is_loaded();
   return std::unique_ptr<World>(new World(std::move(later)));
@@ -247,7 +256,7 @@ std::string World::sampling() const {
   return fmt::format("{:016x}", digest(bytes));
 }
 
-int World::frame_count() const { return impl_->description.frames.count(); }
+bool World::has_velocities() const { return impl_->geometry.has_velocities(); }
 
 std::unique_ptr<Scene> World::scene(std::span<const FileFrame> frames, const Scene* sooner) const {
   std::unique_ptr<Scene> scene = impl_->scene(frames, Impl::Contents::all, sooner);

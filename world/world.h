@@ -41,8 +41,8 @@ class World {
   ~World();
 
   /// Makes the world so many frames later; it shares what it can with this one, which outlives it. Throws SceneError.
-  std::unique_ptr<World> after(double delay) const;
-  int frame_count() const;
+  std::unique_ptr<World> after(double delay, Diagnostics* notes = nullptr) const;  // adds those that are new
+  bool has_velocities() const;                                                     // see Geometry
   /// Makes the scene of these frames of the file: ascending, at most kMaxFrames. The world must outlive its scenes. All
   /// scenes of a world agree on what sampling derives from the scene (light probabilities, bounding sphere). `sooner` is
   /// that of the world that this one is after, and outlives the scene; null if there is none.

@@ -13,10 +13,14 @@
 namespace dspm {
 
 /// Offers a file. `bytes` may throw std::runtime_error with a sentence that does not name the file. A file that is
-/// offered again is replaced. Thread-safe.
-void offer_inner_file(const std::filesystem::path& path, std::function<std::string()> bytes);
+/// offered again is replaced. If it changes with time, `later` returns what it is so many frames later. Thread-safe.
+void offer_inner_file(const std::filesystem::path& path, std::function<std::string()> bytes,
+                      std::function<std::string(double frames)> later = {});
 
 bool is_inner_file(const std::filesystem::path& path);
+/// Returns whether it is a file that changes with time, which also has the names that name_later() returns.
+bool is_moving_file(const std::filesystem::path& path);
+std::string name_later(const std::string& name, double frames);
 /// Returns nullopt if nobody has offered the file.
 std::optional<std::string> inner_file(const std::filesystem::path& path);
 

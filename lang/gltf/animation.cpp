@@ -104,6 +104,23 @@ std::vector<double> Channel::at(double time) const {
   return result;
 }
 
+void Channel::add_corners(double fps, double end, std::set<double>& frames) const {
+  constexpr double kFineness = 65536, kLeeway = 1e-3;  // of the language's moments
+  constexpr double kPartsOfCurves = 4;                 // of a frame
+  const auto add = [&](double frame) {
+    if (frame > 0 && frame < end) frames.insert(frame);
+  };
+  for (const float time : times_) {
+    const double frame = std::ceil(double{time} * fps * kFineness - kLeeway) / kFineness;
+    add(frame);
+    if (interpolation_ == Interpolation::step) add(frame - 1 / kFineness);
+  }
+  if (interpolation_ != Interpolation::cubic) return;
+  const double first = std::max(0., std::ceil(double{times_.front()} * fps * kPartsOfCurves)),
+               last = std::min(end, this->end() * fps) * kPartsOfCurves;
+  for (double part = first; part < last; ++part) add(part / kPartsOfCurves);
+}
+
 double Animation::duration() const {
   double duration = 0;
   for (const Channel& channel : channels) duration = std::max(duration, channel.end());

@@ -2,6 +2,7 @@
 // read like any other. [Khronos, glTF 2.0, 3.11 and appendix C; KHR_animation_pointer]
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ class Channel {
   const std::string& target() const { return target_; }
   double end() const { return times_.empty() ? 0 : times_.back(); }
   std::vector<double> at(double time) const;
+  /// Adds frames, above 0 and before `end`, between which its values go straight on or on an arc, as far as 1/65536 of a
+  /// frame allows; curves are cut into short parts.
+  void add_corners(double fps, double end, std::set<double>& frames) const;
 
  private:
   enum class Interpolation { step, linear, spherical, cubic };

@@ -53,6 +53,12 @@ std::set<std::size_t> animated_nodes(const Document& document, const Animation& 
   return nodes;
 }
 
+std::vector<double> times_of(int frames, double fps) {
+  std::vector<double> times;
+  for (int frame = 0; frame < frames; ++frame) times.push_back(frame / fps);
+  return times;
+}
+
 template <class Differ>
 bool changes(const std::vector<Pose>& poses, Differ&& differ) {
   return std::any_of(poses.begin(), poses.end(), [&](const Pose& pose) { return differ(pose, poses.front()); });
@@ -74,7 +80,11 @@ Matrix4 Pose::transform() const {
          Matrix4::scale(scale[0], scale[1], scale[2]);
 }
 
-Poses::Poses(const Document& document, const Animation& animation, int frames, double fps) : frames_(frames) {
+Poses::Poses(const Document& document, const Animation& animation, int frames, double fps)
+    : Poses(document, animation, times_of(frames, fps)) {}
+
+Poses::Poses(const Document& document, const Animation& animation, const std::vector<double>& times)
+    : frames_(static_cast<int>(times.size())) {
   const Value nodes = document["nodes"];
   parents_.resize(nodes.size()), poses_.resize(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -93,10 +103,13 @@ Poses::Poses(const Document& document, const Animation& animation, int frames, d
       if (++depth > kMostDeep) nodes[i].fail("its parents form a ring, or are more than 200");
   }
   const std::set<std::size_t> animated = animated_nodes(document, animation);
-  Json json = document.json();
+  Json json;  // of the document, what poses are read from
+  for (const char* const part : {"nodes", "meshes"})
+    if (document[part].exists()) json[part] = document[part].json();
   for (const std::size_t node : animated) poses_[node].clear();
-  for (int frame = 0; frame < frames && !animated.empty(); ++frame) {
-    set_moment(json, animation, frame / fps);
+  for (const double time : times) {
+    if (animated.empty()) break;
+    set_moment(json, animation, time);
     for (const std::size_t node : animated)
       poses_[node].push_back(pose_of(document, {&json["nodes"][node], fmt::format("nodes/{}", node)}));
   }

@@ -37,6 +37,8 @@ class Poses {
  public:
   /// Checks that nodes form trees. Throws std::runtime_error.
   Poses(const Document& document, const Animation& animation, int frames, double fps);
+  /// The same for a frame at each of these times, in seconds.
+  Poses(const Document& document, const Animation& animation, const std::vector<double>& times);
 
   int frames() const { return frames_; }
   const Pose& at(std::size_t node, int frame) const;

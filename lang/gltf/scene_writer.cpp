@@ -71,6 +71,7 @@ Translation SceneWriter::write() {
   if (std::none_of(all.begin(), all.end(), [&](std::size_t node) { return useful_[node]; }))
     throw std::runtime_error("its scene has nothing to show: no meshes with surfaces, and no lights");
   if (!settings_.around) choose_camera();
+  see_corners();
   for (const std::size_t node : all) write_node(node, 1);
   const std::string axis = uses_.axis();
 

@@ -47,9 +47,13 @@ class SceneWriter {
   std::size_t points_to_see(std::size_t frames) const;
   std::vector<Pose> instances_of(std::size_t node) const;
 
+  void see_corners();
+  void add_corners(std::size_t node, std::set<double>& corners) const;
   void write_node(std::size_t node, int depth);
   void write_content(std::size_t node, int depth);
   void write_keys(std::size_t node, int depth);
+  void write_pose(const Pose& pose, int depth);
+  std::vector<std::pair<double, Pose>> key_poses(std::size_t node) const;
   void write_mesh(std::size_t node, int depth);
   void write_skinned(std::size_t node, int depth);
   void write_instances(std::size_t node, int depth);
@@ -90,6 +94,9 @@ class SceneWriter {
   std::optional<std::size_t> camera_node_;
   bool has_light_ = false;
   std::vector<bool> useful_;
+  /// Corners of the ways of nodes between frames, and the frame after the last; frames count from 0.
+  std::vector<double> corners_;
+  std::unique_ptr<const Poses> at_corners_;
 };
 
 }  // namespace dspm::gltf

@@ -36,7 +36,9 @@ struct Settings {
 struct Translation {
   std::string text;
   std::map<std::string, std::function<std::string()>> files;  // by the name in the text
-  std::vector<std::string> notes;                             // what is left out, or chosen
+  // What files that change with time are so many frames later, by names that are in `files` as well.
+  std::map<std::string, std::function<std::string(double)>> files_later;
+  std::vector<std::string> notes;  // what is left out, or chosen
 };
 
 bool is_gltf_name(const std::filesystem::path& path);

@@ -10,26 +10,6 @@
 #include "dspm/lang/gltf/scene_writer.h"
 
 namespace dspm::gltf {
-namespace {
-
-using Part = std::pair<std::string, bool>;  // a transform, and whether it does nothing
-
-std::vector<Part> parts_of(const Pose& pose) {
-  if (pose.matrix) {
-    const std::array<double, 16> identity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-    std::string numbers;
-    for (const double n : *pose.matrix) numbers += fmt::format("{}{}", numbers.empty() ? "" : " ", n);
-    return {{fmt::format("ConcatTransform [{}]", numbers), *pose.matrix == identity}};
-  }
-  const auto turn = pose.turn();
-  const auto& t = pose.translation;
-  const auto& s = pose.scale;
-  return {{fmt::format("Translate {} {} {}", t[0], t[1], t[2]), t == std::array<double, 3>{0, 0, 0}},
-          {fmt::format("Rotate {} {} {} {}", turn[0], turn[1], turn[2], turn[3]), turn[0] == 0},
-          {fmt::format("Scale {} {} {}", s[0], s[1], s[2]), s == std::array<double, 3>{1, 1, 1}}};
-}
-
-}  // namespace
 
 bool SceneWriter::changes_shape(std::size_t node) const {
   const Value own = (*document_)["nodes"][node];
@@ -59,27 +39,6 @@ void SceneWriter::write_node(std::size_t node, int depth) {
                          : fmt::format("AttributeBegin  # {}", name.substr(1, name.size() - 2)));
   write_keys(node, depth + 1), write_content(node, depth + 1);
   line(depth, is_dynamic ? "DynamicEnd" : "AttributeEnd");
-}
-
-void SceneWriter::write_keys(std::size_t node, int depth) {
-  const Poses& poses = *motion_->poses;
-  if (!poses.moves(node)) {
-    for (const auto& [part, idle] : parts_of(poses.at(node, 0)))
-      if (!idle) line(depth, part);
-    return;
-  }
-  std::vector<std::vector<Part>> frames;
-  for (int frame = 0; frame < poses.frames(); ++frame) frames.push_back(parts_of(poses.at(node, frame)));
-  const auto differ = [&](std::size_t a, std::size_t b) { return frames[a] != frames[b]; };
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    if (i > 0 && i + 1 < frames.size() && !differ(i, i - 1) && !differ(i, i + 1)) continue;
-    std::string key = fmt::format("Keyframe {}", i + 1);
-    for (std::size_t part = 0; part < frames[i].size(); ++part)
-      if (!std::all_of(frames.begin(), frames.end(), [&](const auto& f) { return f[part].second; }))
-        key += " " + frames[i][part].first;
-    line(depth, key);
-  }
-  line(depth, "KeyframeEnd");
 }
 
 void SceneWriter::write_content(std::size_t node, int depth) {
@@ -146,8 +105,7 @@ void SceneWriter::write_instances(std::size_t node, int depth) {
   const std::string object = object_of((*document_)["nodes"][node]["mesh"].count(0), node);
   for (const Pose& pose : instances_of(node)) {
     line(depth, "AttributeBegin");
-    for (const auto& [part, idle] : parts_of(pose))
-      if (!idle) line(depth + 1, part);
+    write_pose(pose, depth + 1);
     line(depth + 1, fmt::format("ObjectInstance {}", in_quotes(object)));
     line(depth, "AttributeEnd");
   }
@@ -212,13 +170,17 @@ std::string SceneWriter::mesh_file(std::size_t node, std::size_t primitive, bool
   const std::string name =
       folder_ + "/" + files_.add(primitives > 1 ? fmt::format("{}-{}", stem, primitive + 1) : stem, "mesh");
   const auto offer = [&](const std::string& file, int frame) {
-    result_.files[file] = [document = document_, motion = motion_, node, mesh, primitive, frame] {
+    const auto at = [document = document_, node, mesh, primitive](const Poses& poses, int number) {
       const Document& d = *document;
       Primitive posed = read_primitive(d, d["meshes"][mesh]["primitives"][primitive]);
       const auto skin = d["nodes"][node]["skin"].index(d["skins"].size());
-      pose(posed, motion->poses->at(node, frame).weights,
-           skin ? motion->poses->skin(d, *skin, frame) : std::vector<Matrix4>());
+      pose(posed, poses.at(node, number).weights, skin ? poses.skin(d, *skin, number) : std::vector<Matrix4>());
       return ply_of(posed);
+    };
+    result_.files[file] = [at, motion = motion_, frame] { return at(*motion->poses, frame); };
+    if (!changes) return;
+    result_.files_later[file] = [at, document = document_, motion = motion_, frame](double frames) {
+      return at(Poses(*document, motion->animation, {(frame + frames) / motion->fps}), 0);
     };
   };
   if (!changes) return offer(name + ".ply", 0), name + ".ply";

@@ -120,11 +120,25 @@ float shutter_seconds(const SceneDescription& description) {
   return seconds > 0 ? seconds : 1;
 }
 
-/// Returns the command line's shutter, else the camera's; a closed one if nothing moves.
+/// Returns whether vertices of a mesh may have velocities, which only its file knows.
+bool may_have_velocities(const SceneDescription& description) {
+  const auto may_move = [&](const ShapeUse& use) {
+    return use.type == "plymesh" &&
+           (description.dialect == Dialect::dsc || use.params.find("velocityscale") != nullptr);
+  };
+  const auto any_moves = [&](const std::vector<ShapeUse>& uses) {
+    return std::any_of(uses.begin(), uses.end(), may_move);
+  };
+  return any_moves(description.shapes) ||
+         std::any_of(description.objects.begin(), description.objects.end(),
+                     [&](const ObjectDefinition& object) { return any_moves(object.shapes); });
+}
+
+/// Returns the command line's shutter, else the camera's; a closed one if nothing can move.
 Shutter shutter_of(const SceneDescription& description, const Choices& choices, Diagnostics& diagnostics) {
   const Shutter of_camera = shutter_of(description, diagnostics);
   const Shutter wanted = choices.shutter ? Shutter{0, *choices.shutter} : of_camera;
-  return what_moves(description).empty() ? Shutter{} : wanted;
+  return what_moves(description).empty() && !may_have_velocities(description) ? Shutter{} : wanted;
 }
 
 /// Returns the command line's accelerator, else the scene's if dspm has it; pbrt's trees change nothing in the image.

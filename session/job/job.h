@@ -29,7 +29,7 @@ struct Job {
   std::optional<KnownFrames> known;               // of the run that is resumed
   bool numbered = false;                          // image names contain the frame's number
   double fps = 0;                                 // 0: no animation
-  Shutter shutter;                                // without delays if nothing moves
+  Shutter shutter;                                // without delays if nothing can move
   FilmSettings film;
   float exposure = 1;                // image values over radiance
   std::vector<std::string> outputs;  // to be written next to radiance

@@ -84,7 +84,7 @@ constexpr const char* kSun = R"("distant" "rgb L" [2 2 2] "point3 from" [0.3 0 1
 constexpr const char* kSpot =
     R"("spot" "rgb I" [8 8 8] "point3 from" [.5746957711 0 1.9156525705] "point3 to" [0 0 0] "float coneangle" 3 "float conedeltaangle" 1)";
 
-double mean(const Image& image) {
+double mean_luminance(const Image& image) {
   double sum = 0;
   for (const Rgb& pixel : image.pixels) sum += static_cast<double>(luminance(pixel));
   return sum / static_cast<double>(image.pixels.size());
@@ -103,7 +103,7 @@ class HiddenLight : public ::testing::TestWithParam<Case> {
       const auto [integrator, iterations] = GetParam();
       TestScene scene(pane_over_metal("", fmt::format("{} {}", integrator, radius), light,
                                       metal(fmt::format("\"float roughness\" {}", alpha))));
-      EXPECT_NEAR(mean(scene.render(FileFrame(0), iterations)) / expected_radiance(2, alpha), 1, 0.02)
+      EXPECT_NEAR(mean_luminance(scene.render(FileFrame(0), iterations)) / expected_radiance(2, alpha), 1, 0.02)
           << integrator << ", alpha " << alpha;
     }
   }
@@ -137,8 +137,8 @@ TEST(HiddenLight, StaysAsRoughnessCrossesTheThreshold) {
     const auto together = test.integrator(*scene);
     for (int i = 0; i < 8; ++i) together->iterate({i, *scene});
     for (Frame f = 0; f < kFrames; ++f) {
-      const double joint = mean(together->estimate(f));
-      EXPECT_NEAR(joint / mean(test.render(FileFrame(f), 8)), 1, 2e-5);
+      const double joint = mean_luminance(together->estimate(f));
+      EXPECT_NEAR(joint / mean_luminance(test.render(FileFrame(f), 8)), 1, 2e-5);
       EXPECT_NEAR(joint / expected_radiance(2, 0.2 + 0.04 * f), 1, 0.03) << estimator << ", frame " << f + 1;
     }
   }
@@ -168,7 +168,7 @@ TEST(HiddenLight, IsGatheredWithinShrinkingDiscs) {
                     R"(Material "diffuse" "rgb reflectance" [0 0 0]
 Translate 0 0 0.2
 Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point3 P" [-.2 -2 0  2 -2 0  2 2 0  -.2 2 0])");
-    EXPECT_NEAR(mean(scene.render(FileFrame(0), kIterations)) / expected, 1, 0.03) << estimator;
+    EXPECT_NEAR(mean_luminance(scene.render(FileFrame(0), kIterations)) / expected, 1, 0.03) << estimator;
   }
 }
 
@@ -180,7 +180,7 @@ TEST(HiddenLight, OnACoat) {
   const double r = fresnel(kToLight.z, 1.5);
   const double expected = 2 * kToLight.z * (1 - r) / (1 + r) * ggx_reflection(kToLight, kToCamera, 0.2, 1.5);
   TestScene scene(text);
-  EXPECT_NEAR(mean(scene.render(FileFrame(0), 64)) / expected, 1, 0.04);
+  EXPECT_NEAR(mean_luminance(scene.render(FileFrame(0), 64)) / expected, 1, 0.04);
 }
 
 // Light that paths find by themselves is not brought once more: by way of two glossy walls, and from a lamp behind a pane.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 #include "dspm/base/params/errors.h"
 #include "dspm/session/job/choices.h"
@@ -13,26 +12,13 @@
 #include "dspm/testing/scenes.h"
 #include "dspm/testing/test_scene.h"
 #include "tests/integrators/box_scene.h"
+#include "tests/integrators/flat_picture.h"
 #include "tests/support/seeds.h"
-#include "tests/support/temporary_directory.h"
 
 namespace dspm::test {
 namespace shutter_test {
 
-/// A picture of -4 <= x <= 4, -1 <= y <= 1, of `contents` that emit light.
-std::string flat(const std::string& camera, const std::string& contents, const std::string& filter = "\"box\"") {
-  return fmt::format(R"(
-Frames 2
-Integrator "path"
-PixelFilter {}
-Film "rgb" "integer xresolution" 32 "integer yresolution" 8
-LookAt 0 0 -5  0 0 0  0 1 0
-Camera "orthographic" "float screenwindow" [-4 4 -1 1] {}
-WorldBegin
-{}
-)",
-                     filter, camera, contents);
-}
+using namespace flat_picture;
 
 const char* const kSquare = R"(
 DynamicBegin "square"
@@ -45,28 +31,6 @@ DynamicBegin "square"
   Shape "bilinearmesh" "point3 P" [-.5 -2 0 .5 -2 0 -.5 2 0 .5 2 0]
 DynamicEnd
 )";
-
-/// Returns the share of the times from `open` to `close` at which the square covers x. Its centre is at -2 + 4 t.
-double covered(double x, double open, double close) {
-  const double begin = std::max(open, (x - 0.5 + 2) / 4), end = std::min(close, (x + 0.5 + 2) / 4);
-  return std::max(0., end - begin) / (close - open);
-}
-
-/// Returns the mean of fn over [low, high].
-template <class Fn>
-double mean(double low, double high, const Fn& fn) {
-  constexpr int kSteps = 400;
-  double sum = 0;
-  for (int i = 0; i < kSteps; ++i) sum += fn(low + (high - low) * (i + 0.5) / kSteps);
-  return sum / kSteps;
-}
-
-/// Returns the mean of a column, whose pixels see the same times at other places.
-double brightness(const Image& image, int x) {
-  double sum = 0;
-  for (int y = 0; y < image.height; ++y) sum += static_cast<double>(image.at(x, y).g);
-  return sum / image.height;
-}
 
 struct Times {
   const char* camera;
@@ -182,25 +146,6 @@ Shape "bilinearmesh" "point3 P" [-9 -9 0 9 -9 0 -9 9 0 9 9 0]
     EXPECT_NEAR(static_cast<double>(image.at(x, 4).r), 0.5, 0.005);
     EXPECT_NEAR(brightness(image, x), 1, 0.01);
   }
-}
-
-// There are no files between those of frames, nor before the first.
-TEST(Shutter, SequencesOfFilesShowOneFileAFrame) {
-  const TemporaryDirectory directory;
-  for (const int frame : {1, 2})
-    std::ofstream(directory / fmt::format("wall.{}.ply", frame))
-        << "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-           "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
-        << (frame == 1 ? "-99 -99 0\n99 -99 0\n0 99 0\n" : "-99 -99 0\n0 -99 0\n-99 99 0\n") << "3 0 1 2\n";
-  const std::string text = flat(R"("float shutteropen" -0.5 "float shutterclose" 1.5)", R"(
-DynamicBegin "wall"
-  AreaLightSource "diffuse" "rgb L" [1 1 1] "bool twosided" true
-  Shape "plymesh" "string filename" "wall.%d.ply"
-DynamicEnd
-)");
-  const Image first = TestScene(text, directory / "test.dsc").render(FileFrame(0), 16);
-  for (const int x : {0, 31}) EXPECT_EQ(brightness(first, x), 1);
-  EXPECT_EQ(brightness(TestScene(text, directory / "test.dsc").render(FileFrame(1), 16), 31), 0);
 }
 
 TEST(Shutter, ClosedIfNothingMovesOrNothingIsAskedFor) {

@@ -28,8 +28,8 @@ int Alphas::of(const ShapeUse& use) {
   if (alpha.params.empty()) return -1;
   const int errors = diagnostics_.error_count();
   const std::vector<bool> present = presence(description_, use.dynamic_block);
-  for (const ParamList& state : param_states(alpha, description_.frames, present).states) {
-    ParamReader reader(state, subject_of(use), use.where, diagnostics_);
+  for (const ShapeState& state : param_states(alpha, description_.frames, present).states) {
+    ParamReader reader(state.params, subject_of(use), use.where, diagnostics_);
     read_alpha(reader);
     if (diagnostics_.error_count() > errors) return -1;
   }

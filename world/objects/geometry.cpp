@@ -99,6 +99,20 @@ void Geometry::share_kept(Source& source) const {
   }
 }
 
+/// Returns where to keep what is made of the source's shapes: nowhere if these will not come again.
+KeptGeometry* Geometry::kept_for(const Source& source) const { return source.keys.empty() ? nullptr : kept_; }
+
+/// Says once of a sequence that it does not deform between some of its files.
+void Geometry::note_unlike(const ShapeUse& use, const std::optional<UnlikeFiles>& files) {
+  if (!files || !unlike_.insert(&use).second) return;
+  const Param* const file = use.params.find("filename");
+  diagnostics_.note(file != nullptr ? file->values_where : use.where,
+                    fmt::format("\"{}\" and \"{}\" differ in their vertices or faces: in such frames the mesh stays as "
+                                "it is while the shutter is open",
+                                files->own, files->other),
+                    "files with velocities of vertices (vx, vy, vz) need no like vertices");
+}
+
 void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances, Source& source) {
   const int errors = diagnostics_.error_count();
   if (source.has_extent && (use.area_light >= 0 || looks_.emits(looks_.find(use.material)))) {
@@ -106,6 +120,8 @@ void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse
     if (!whole) return;
     source = *std::move(whole);
   }
+  has_velocities_ = has_velocities_ || source.has_velocities;
+  note_unlike(use, source.unlike);
   for (MadeShapes& made : source.made)
     for (SourceShape& each : made) each.shape->settle();
   share_kept(source);
@@ -170,15 +186,15 @@ void Geometry::check(const ShapeUse& use, Source& source) {
       parallel_for(static_cast<std::int64_t>(source.made.size()), 1, [&](std::int64_t i) {
         auto& shape = source.made[static_cast<std::size_t>(i)][p].shape;
         if (const TriangleMesh* other = shape->triangles())
-          shape =
-              derived<TriangleMesh>(kept_, {shape, model}, ContentKey("repaired"), [&] { return repaired(*other); });
+          shape = derived<TriangleMesh>(kept_for(source), {shape, model}, ContentKey("repaired"),
+                                        [&] { return repaired(*other); });
       });
       mesh = source.made.front()[p].shape->triangles();
     }
     if (!body || !check_meshes_) continue;
     MeshReport report =
         *derived<MeshReport>(kept_, {first.shape}, ContentKey("report"), [&] { return check_mesh(*mesh); });
-    if (is_true(source.params.states.front(), kOpenParam)) report.open_edges = {};
+    if (is_true(source.params.states.front().params, kOpenParam)) report.open_edges = {};
     for (const std::string& fault : describe(report))
       diagnostics_.warning(
           use.where, fmt::format("{} with {}: {}", subject_of(use), looks_.name_of(material), fault),

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,10 +21,12 @@
 #include "dspm/world/objects/frame_ranges.h"
 #include "dspm/world/objects/kept_geometry.h"
 #include "dspm/world/objects/looks.h"
+#include "dspm/world/objects/shape_state.h"
 
 namespace dspm {
 
 class ShapeMaker;
+struct UnlikeFiles;
 
 /// A shape at one place, and the frames in which it is there.
 struct WorldShape {
@@ -70,6 +73,8 @@ class Geometry {
   const std::deque<WorldShape>& shapes() const { return shapes_; }  // addresses are stable
   const std::vector<Emitter>& emitters() const { return emitters_; }
   const Bounds3& bounds() const { return bounds_; }  // over the base of the file's frames
+  /// Returns whether meshes move by the velocities of their vertices while the shutter is open.
+  bool has_velocities() const { return has_velocities_; }
   /// The names by PlacedShape::object.
   const std::vector<std::string>& object_names() const { return objects_.all(); }
 
@@ -84,7 +89,7 @@ class Geometry {
       Transform moved_by;
     };
     const ShapeUse* use;
-    ParamList params;
+    ShapeState state;
     std::vector<Use> uses;
   };
   class Joining;
@@ -99,6 +104,8 @@ class Geometry {
   void put(const Unread& mesh, MadeShapes made);
   std::optional<Source> make_source(const ShapeUse& first, std::size_t begin, std::size_t end) const;
   void share_kept(Source& source) const;
+  KeptGeometry* kept_for(const Source& source) const;
+  void note_unlike(const ShapeUse& use, const std::optional<UnlikeFiles>& files);
   void add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances, Source& source);
   Timeline<Place> places_of(const Source& source, const Timeline<Matrix4>& matrices, const std::vector<bool>& present,
                             std::size_t made) const;
@@ -129,6 +136,8 @@ class Geometry {
   std::vector<Emitter> emitters_;
   std::deque<AreaLightUse> lights_of_materials_;  // addresses are stable
   Bounds3 bounds_;
+  bool has_velocities_ = false;
+  std::set<const ShapeUse*> unlike_;  // those of which it has been said that their files are unlike
   DistinctNames objects_;
   std::uint64_t placed_ = 0;                    // shapes so far, each counted once for all of its states
   std::map<const void*, int> object_of_use_;    // of an instance, or of a shape outside of blocks

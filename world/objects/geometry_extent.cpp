@@ -17,18 +17,6 @@
 namespace dspm {
 namespace {
 
-/// Returns the extent; nullopt if there is none, or it is not sound, which the plugin reports.
-std::optional<Bounds3> extent_of(const ShapeUse& use) {
-  const Param* const param = use.type == "plymesh" ? use.params.find(kExtentParam) : nullptr;
-  if (param == nullptr) return std::nullopt;
-  const auto* const numbers = std::get_if<std::vector<float>>(&param->values);
-  if (numbers == nullptr || numbers->size() != 6) return std::nullopt;
-  const std::vector<float>& n = *numbers;
-  Bounds3 box;
-  box.add(Vec3{n[0], n[1], n[2]}), box.add(Vec3{n[3], n[4], n[5]});
-  return box;
-}
-
 /// Returns whether it is one mesh that stays as it was read.
 bool is_plain(const MadeShapes& made) {
   return made.size() == 1 && made.front().shape->triangles() != nullptr && !made.front().repair &&
@@ -41,8 +29,8 @@ bool is_plain(const MadeShapes& made) {
 /// checked.
 void Geometry::take_extent(const ShapeUse& use, Source& source, Diagnostics& diagnostics) const {
   expect_same_in_all_frames(use, kExtentParam, diagnostics);
-  const std::optional<Bounds3> extent = extent_of(use);
-  const std::vector<ParamList>& states = source.params.states;
+  const std::optional<Bounds3> extent = use.type == "plymesh" ? extent_in(use.params) : std::nullopt;
+  const std::vector<ShapeState>& states = source.params.states;
   if (!extent || states.size() < 2 || diagnostics.error_count() > 0) return;
   const ShapeMaker maker = maker_of(use);
   Diagnostics messages(diagnostics.lenient());
@@ -66,11 +54,12 @@ void Geometry::read(std::span<const FileFrame> frames) {
     const auto at = static_cast<std::size_t>(i);
     const ShapeUse& use = *wanted[at]->use;
     const ShapeMaker maker = maker_of(use);
-    made[at] = maker.make(wanted[at]->params, messages[at]);
+    made[at] = maker.make(wanted[at]->state, messages[at]);
   });
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     const bool is_sound = messages[i].error_count() == 0;
     diagnostics_.append(std::move(messages[i]));
+    note_unlike(*wanted[i]->use, made[i].unlike);
     if (is_sound) put(*wanted[i], std::move(made[i].shapes));
   }
 }

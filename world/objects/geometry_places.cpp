@@ -167,7 +167,7 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
       if (alone && made.only[state] == place.matrix && shape->triangles()) {
         std::shared_ptr<const Shape>& moved = in_world[place.geometry];
         if (!moved && to_world.is_identity()) moved = shape;
-        if (!moved) moved = moved_to(to_world, shape, source.has_extent ? nullptr : kept_);
+        if (!moved) moved = moved_to(to_world, shape, kept_for(source));
         shape = moved, moved_by = to_world, to_world = Transform();
       }
       WorldShape& world = shapes_.emplace_back();

@@ -11,18 +11,21 @@
 #include "dspm/world/objects/content_key.h"
 #include "dspm/world/objects/displacements.h"
 #include "dspm/world/objects/geometry.h"
+#include "dspm/world/objects/shape_maker.h"
 
 namespace dspm {
 
 /// One Shape directive: its geometry in its own space, state by state, and the materials of what was made.
 struct Geometry::Source {
-  Timeline<ParamList> params;
+  Timeline<ShapeState> params;
   std::vector<MadeShapes> made;     // by state of `params`
   std::vector<int> materials;       // by index of what was made
   std::vector<EmissionUse> lights;  // likewise
   std::vector<int> alphas;          // likewise, see WorldShape
   bool caustics = true;             // see PlacedShape
   bool is_catcher = false;          // of shadows
+  bool has_velocities = false;
+  std::optional<UnlikeFiles> unlike;  // of any state
   GeometryStates geometry;
   // By the instances' dynamic block: objects that do not move differ in nothing but their matrix.
   std::map<int, std::shared_ptr<const Placement>> unmoved;

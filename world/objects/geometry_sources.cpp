@@ -8,6 +8,7 @@
 #include "dspm/base/params/params.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/lang/shape_run.h"
+#include "dspm/shapes/mesh_params.h"
 #include "dspm/shapes/shadow_catcher.h"
 #include "dspm/shapes/shape_caustics.h"
 #include "dspm/world/objects/geometry.h"
@@ -130,7 +131,7 @@ void Geometry::add_sources(const std::vector<ShapeUse>& uses, const std::vector<
 }
 
 ShapeMaker Geometry::maker_of(const ShapeUse& use) const {
-  return {*shape_plugins().find(use.type), use, description_.main_directory(), kept_};
+  return {*shape_plugins().find(use.type), use, description_, kept_};
 }
 
 /// Makes one shape of a part of the run of `first`, which is there and has one state. Returns nullopt if there is none,
@@ -165,10 +166,11 @@ std::optional<Geometry::Source> Geometry::make_source(const ShapeUse& use, Diagn
   source.params =
       param_states(without_alpha(use.params), frames_of(use.blurs), presence(description_, use.dynamic_block));
   expect_same_in_all_frames(use, kShapeCausticsParam, diagnostics);
-  expect_same_in_all_frames(use, kShadowCatcherParam, diagnostics);
+  for (const char* const name : {kShadowCatcherParam, kBetweenParam, kVelocityScaleParam})
+    expect_same_in_all_frames(use, name, diagnostics);
   if (by_extent) take_extent(use, source, diagnostics);
   if (source.has_extent) return source;
-  const std::vector<ParamList>& states = source.params.states;
+  const std::vector<ShapeState>& states = source.params.states;
   std::vector<Diagnostics> messages(states.size(), Diagnostics(diagnostics.lenient()));
   std::vector<MadeOfParams> made(states.size());
   const ShapeMaker maker = maker_of(use);
@@ -183,6 +185,8 @@ std::optional<Geometry::Source> Geometry::make_source(const ShapeUse& use, Diagn
   for (std::size_t at = 0; at < states.size() && diagnostics.error_count() == 0; ++at) {
     diagnostics.append(std::move(messages[at]));
     source.made.push_back(std::move(made[at].shapes));
+    source.has_velocities = source.has_velocities || made[at].has_velocities;
+    if (!source.unlike) source.unlike = std::move(made[at].unlike);
     is_kept = is_kept && made[at].key;
     if (made[at].key) source.keys.push_back(*made[at].key);
   }

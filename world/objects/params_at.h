@@ -11,13 +11,12 @@
 namespace dspm {
 
 /// Returns the parameters at one of the moments of `frames`. Files of a sequence are those of the moment that the frame is
-/// named after: between frames there are none.
+/// named after: between frames there are none. (For meshes, see shape_state.h.)
 inline ParamList params_at(const ParamList& params, const FileFrames& frames, Moment moment) {
   if (!params.is_keyed()) return params;
   ParamList result = params.at(moment);
-  const double delay = frames.moment(FileFrame(0)).frames() - frames.whole_moment(FileFrame(0)).frames();
-  if (delay == 0) return result;
-  const ParamList whole = params.at(Moment(std::round(moment.frames() - delay)));
+  if (frames.delay() == 0) return result;
+  const ParamList whole = params.at(Moment(std::round(moment.frames() - frames.delay())));
   for (Param& param : result.params)
     if (const Param* const named = whole.find(param.name); named != nullptr && param.type == ParamType::text)
       param.values = named->values;

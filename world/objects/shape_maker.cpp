@@ -24,9 +24,15 @@ bool are_meshes(const MadeShapes& made) {
   return std::all_of(made.begin(), made.end(), [](const SourceShape& s) { return s.shape->triangles() != nullptr; });
 }
 
-ShapeMaker::ShapeMaker(const Plugin<MakeShape>& plugin, const ShapeUse& use, std::filesystem::path main_directory,
+ShapeMaker::ShapeMaker(const Plugin<MakeShape>& plugin, const ShapeUse& use, const SceneDescription& scene,
                        KeptGeometry* kept)
-    : plugin_(plugin), use_(use), subject_(subject_of(use)), main_directory_(std::move(main_directory)), kept_(kept) {}
+    : plugin_(plugin),
+      use_(use),
+      subject_(subject_of(use)),
+      main_directory_(scene.main_directory()),
+      time_(scene.frames.delay() / scene.fps.value_or(1)),
+      usual_velocity_scale_(scene.dialect == Dialect::pbrt ? 0.f : 1.f),
+      kept_(kept) {}
 
 ContentKey ShapeMaker::key_of(const ParamList& params) const {
   ContentKey key(use_.type);
