@@ -83,6 +83,9 @@ TEST_F(Deforming, VerticesAreOnTheirWayToTheNextFile) {
   expect_crossing(render_shape(shape, R"("float shutteropen" -0.5 "float shutterclose" 0)", 1, 1024), 0.5, 1,
                   "from the file before");
   EXPECT_EQ(render_shape(shape, kOpen, 1), render_shape(shape, "", 1)) << "there is no next file";
+  expect_crossing(
+      render_shape(R"("plymesh" "string filename@1" "a.1.ply" "string filename@3" "a.2.ply")", kOpen, 1, 1024), 0, 1,
+      "both frames have one file, and only the second is followed by another");
   put("a.3.ply", ply(square_at(-2)));
   expect_crossing(render_shape(shape, kOpen, 1, 1024), 0, 1, "the next file is that of no frame");
 }
