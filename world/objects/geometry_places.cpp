@@ -151,7 +151,8 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
   if (!moves && !matrices.empty() && !is_sound(matrices.front()))
     return report_singular(subject_of(use), "", instance ? instance->where : use.where, diagnostics_);
   const int object = object_of(use, instance);
-  const bool changes = moves || use.params.is_keyed(), shows_pictures = use.params.find("displacement") != nullptr;
+  const bool changes = blurs(use, instance) && (moves || use.params.is_keyed() || source.has_velocities);
+  const bool shows_pictures = use.params.find("displacement") != nullptr;
   for (std::size_t i = 0; i < source.materials.size(); ++i) {
     const Placement::OfMade& made = placement->made[i];
     std::map<int, std::shared_ptr<const Shape>> in_world;  // by geometry
