@@ -23,7 +23,7 @@ std::vector<std::string> explain_shutter(const Job& job) {
   if (moves.empty()) moves.emplace_back("meshes with velocities");
   return {fmt::format(
       "shutter: open from {} to {} frames after each frame's moment; meanwhile {} may change. Each iteration "
-      "shows one time of it, the same in all frames, and makes its scene anew.",
+      "shows one time of it, the same in all frames.",
       job.shutter.open, job.shutter.close, fmt::join(moves, ", "))};
 }
 

@@ -98,7 +98,7 @@ void LoadedScene::make(const Choices& choices, Diagnostics& diagnostics, KeptGeo
   const StepTimer timer(steps[1]);
   load_modules(*description, diagnostics);
   job = make_job(*description, choices, diagnostics);
-  if (kept == nullptr && job.shutter.delays()) own_kept = std::make_shared<KeptGeometry>(), kept = own_kept.get();
+  if (kept == nullptr && job.shutter.delays()) own_kept = std::make_shared<KeptGeometry>(true), kept = own_kept.get();
   WorldOptions world_options{job.settings.width, job.settings.height, job.accel, true, job.film.diagonal, kept,
                              &job.frames, job.shutter.delays()};
   world_options.nearby = has_motion(job.settings.outputs);

@@ -72,8 +72,8 @@ std::optional<MadeShapes> KeptGeometry::find(const ContentKey& key) {
 
 void KeptGeometry::keep(const ContentKey& key, const MadeShapes& made, const FilesReadHere& files,
                         Clock::time_point begin) {
-  if (!files.files()) return;
-  Made kept{made, *files.files(), {}};
+  if (!may_keep(files)) return;
+  Made kept{made, files.files().value_or(std::map<std::filesystem::path, std::uint64_t>()), {}};
   for (const auto& [file, digest] : kept.digests) {
     const FileStamp stamp = stamp_of(file);
     if (may_be_newer(stamp, begin)) return;

@@ -27,6 +27,13 @@ class KeptGeometry {
   using Clock = std::chrono::system_clock;
   using Owned = std::shared_ptr<const Shape>;
 
+  /// If all scenes come of one description, `of_one`, files within others (inner_files.h) stay what they are, so what is
+  /// made of them is kept as well.
+  explicit KeptGeometry(bool of_one = false) : of_one_(of_one) {}
+
+  /// Returns whether what was made of these files may be kept.
+  bool may_keep(const FilesReadHere& files) const { return of_one_ || files.files(); }
+
   /// Returns what was made for that key; nullopt if it is unknown or a file that was read for it has changed.
   std::optional<MadeShapes> find(const ContentKey& key);
   /// Keeps what was made. `begin` is a time before the first of `files` was read. What may have been read while its
@@ -70,6 +77,7 @@ class KeptGeometry {
   std::shared_ptr<void> derived_before(const std::vector<Owned>& shapes, const ContentKey& what);
   void keep_derived(std::vector<Owned> shapes, const ContentKey& what, std::shared_ptr<void> made);
 
+  const bool of_one_;
   std::mutex mutex_;  // one scene may be loaded while another is rendered
   int scenes_ = 0;
   std::map<ContentKey, Made> made_;

@@ -55,9 +55,9 @@ MadeOfParams ShapeMaker::make(const ParamList& params, Diagnostics& diagnostics)
   MadeOfParams made = make_anew(params, diagnostics);
   const bool is_displaced = std::any_of(made.shapes.begin(), made.shapes.end(),
                                         [](const SourceShape& shape) { return shape.displacement.has_value(); });
-  if (!diagnostics.all().empty() || is_displaced || !files.files()) return made;
+  if (!diagnostics.all().empty() || is_displaced || !kept_->may_keep(files)) return made;
   if (are_meshes(made.shapes)) kept_->keep(key, made.shapes, files, begin);
-  if (are_meshes(made.shapes) || files.files()->empty()) made.key = key;
+  if (are_meshes(made.shapes) || (files.files() && files.files()->empty())) made.key = key;
   return made;
 }
 
