@@ -19,7 +19,7 @@ inline std::optional<Bounds3> extent_in(const ParamList& params) {
   const auto* const n = param != nullptr ? std::get_if<std::vector<float>>(&param->values) : nullptr;
   if (n == nullptr || n->size() != 6) return std::nullopt;
   Bounds3 box;
-  for (const std::size_t i : {0, 3}) box.add(Vec3{(*n)[i], (*n)[i + 1], (*n)[i + 2]});
+  for (const std::size_t i : {std::size_t{0}, std::size_t{3}}) box.add(Vec3{(*n)[i], (*n)[i + 1], (*n)[i + 2]});
   return box;
 }
 

@@ -156,7 +156,8 @@ struct World::Impl {
       if (!shape.nowhere && !shape.present.among(frames).empty()) there.push_back(&shape);
     }
     // What stays has the same numbers at all times, so it can have one tree for all of them.
-    if (options.blurs) std::ranges::stable_partition(there, [](const WorldShape* shape) { return !shape->moves; });
+    if (options.blurs)
+      std::stable_partition(there.begin(), there.end(), [](const WorldShape* shape) { return !shape->moves; });
     return there;
   }
   bool has_catchers() const {

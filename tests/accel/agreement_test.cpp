@@ -132,7 +132,7 @@ TEST_P(Agreement, OfAllFramesAndEachFrameAlone) {
 std::vector<PlacedShape> with_movers(const test::RandomScene& scene, test::Random& random) {
   std::vector<PlacedShape> shapes(scene.placed().begin(), scene.placed().end());
   for (PlacedShape& shape : shapes) shape.moves = !shape.frames.contains(scene.all()) || random.below(3) == 0;
-  std::ranges::stable_partition(shapes, [](const PlacedShape& shape) { return !shape.moves; });
+  std::stable_partition(shapes.begin(), shapes.end(), [](const PlacedShape& shape) { return !shape.moves; });
   return shapes;
 }
 
