@@ -90,7 +90,7 @@ class MemoryBound::Trials {
 
   std::optional<Result> of(const FrameList& frames) {
     if (observer_.end_wanted()) throw std::runtime_error("interrupted before the first iteration");
-    const int scenes = job_.shutter.delays() ? 2 : 1;  // that of an iteration, beside the stage's own
+    const std::size_t scenes = job_.shutter.delays() ? 2 : 1;  // that of an iteration, beside the stage's own
     const std::size_t before = bound_.held(), trees = scenes * world_.tree_bytes_at_most(frames);
     if (before + trees > bound_.bytes_) {
       shortage_ = fmt::format("{}: scene and program {}, trees up to {}, and more", readable_bytes(before + trees),

@@ -1,7 +1,6 @@
 #include "dspm/integrators/methods/progressive.h"
 
 #include <algorithm>
-#include <ranges>
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
@@ -147,7 +146,8 @@ class Progressive final : public Integrator {
   void gather_photons() {
     const StepTimer timer(statistics_.steps[kStatistics]);
     BatchCounts counts(tiles_.size());
-    for (const auto& sink : std::views::reverse(sinks_.list)) sink->gather({tiles_, map_, hidden_}, counts);
+    for (auto sink = sinks_.list.rbegin(); sink != sinks_.list.rend(); ++sink)
+      (*sink)->gather({tiles_, map_, hidden_}, counts);
     account(counts.hidden, statistics_);
     account(counts.photons, statistics_);
     typical_.add(counts.photons);

@@ -67,8 +67,8 @@ class Finder {
     const TriangleMesh *const mesh = a.shape->triangles(), *const other = b.shape->triangles();
     if (mesh != nullptr && other != nullptr) return known->second = mesh->faces() == other->faces();
     // Those that turn, curves, are numbered by their places.
-    return known->second = typeid(*a.shape) == typeid(*b.shape) && !a.shape->turns() &&
-                           a.shape->primitive_count() == b.shape->primitive_count();
+    const Shape &one = *a.shape, &two = *b.shape;
+    return known->second = typeid(one) == typeid(two) && !one.turns() && one.primitive_count() == two.primitive_count();
   }
 
   void add_moved(int number, const WorldShape& shape, Frame frame, Nearby when) {
