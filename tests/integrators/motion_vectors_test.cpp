@@ -189,6 +189,22 @@ VariationBegin "right" Hide "a" VariationEnd
     for (const int x : {12, 20}) expect(vectors, "forward", frame, x, 8, {0, 0});
 }
 
+// What stays is listed first while the shutter is open, wherever the file has it.
+TEST(MotionVectors, OfWhatMovesBesideWhatStaysWhileTheShutterIsOpen) {
+  const std::string wall = R"(
+AttributeBegin Translate 0 0 2 Shape "bilinearmesh" "point3 P" [-9 -9 0 9 -9 0 -9 9 0 9 9 0] AttributeEnd
+)";
+  const char* const other = R"(
+DynamicBegin "other"
+  Keyframe 1 Translate 2 -1 0 Keyframe 2 Translate 2.5 -1 0 Keyframe 3 Translate 3 -1 0 KeyframeEnd
+  Shape "disk" "float radius" 0.9
+DynamicEnd
+)";
+  const Vectors vectors = vectors_of(flat(kSquare + wall + other, "2", R"("float shutterclose" 0.01)"));
+  expect(vectors, "forward", 0, 24, 12, {2, 0});
+  expect(vectors, "forward", 0, 16, 2, {0, 0});
+}
+
 // 6 pixels a frame at any time of the shutter.
 TEST(MotionVectors, GoFromTheTimeThatIsShownToThatOfTheNextFrame) {
   const Vectors vectors = vectors_of(flat(R"(

@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <typeinfo>
 #include <utility>
 
@@ -47,7 +48,12 @@ class Finder {
       }
     }
   }
-  std::vector<NearbyMoments::Change> take() { return std::move(changes_); }
+  /// Returns what was found, in the order that NearbyMoments expects.
+  std::vector<NearbyMoments::Change> take() {
+    const auto place = [](const auto& change) { return std::tuple(change.shape, change.frame, change.when); };
+    std::sort(changes_.begin(), changes_.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
+    return std::move(changes_);
+  }
 
  private:
   static bool differ(std::span<const WorldShape* const> states) {
@@ -92,11 +98,12 @@ std::vector<NearbyMoments::Change> nearby_changes(const SceneDescription& descri
                                                   const std::vector<const WorldShape*>& shapes,
                                                   std::span<const FileFrame> frames) {
   Finder finder(description, frames);
-  std::size_t number = 0;
+  std::map<const WorldShape*, int> numbers;  // in the scene, which may list what stays first
+  for (const WorldShape* shape : shapes) numbers.emplace(shape, static_cast<int>(numbers.size()));
   std::vector<const WorldShape*> states;  // of one shape: they follow one another
   const auto finish = [&] {
     for (const WorldShape* state : states)
-      if (number < shapes.size() && shapes[number] == state) finder.add(static_cast<int>(number++), *state, states);
+      if (const auto found = numbers.find(state); found != numbers.end()) finder.add(found->second, *state, states);
     states.clear();
   };
   for (const WorldShape& shape : geometry.shapes()) {
