@@ -63,11 +63,8 @@ std::optional<ParamList> ShapeMaker::at_its_time(const ShapeState& state) const 
 }
 
 MadeOfParams ShapeMaker::make(const ShapeState& state, Diagnostics& diagnostics) const {
-  if (const std::optional<ParamList> params = at_its_time(state)) {
-    MadeOfParams made = make(*params, diagnostics);
-    made.key.reset();
-    return made;
-  }
+  // Not kept: that time does not come again.
+  if (const std::optional<ParamList> params = at_its_time(state)) return make_anew(*params, diagnostics);
   MadeOfParams made = make(state.params, diagnostics);
   const auto scale = static_cast<double>(velocity_scale(state.params, usual_velocity_scale_));
   made.has_velocities = scale != 0 && std::any_of(made.shapes.begin(), made.shapes.end(), has_velocities);
