@@ -53,9 +53,7 @@ struct FilmSize {
   Vec2 pixel() const { return {size.x / pixels.x, size.y / pixels.y}; }
   /// The largest distance from the axis, including what a pixel's filter reaches beyond the edge.
   float radius() const { return std::hypot(size.x, size.y) / 2 + 8 * pixel().x; }
-  bool operator==(const FilmSize& o) const {
-    return size.x == o.size.x && size.y == o.size.y && pixels.x == o.pixels.x && pixels.y == o.pixels.y;
-  }
+  friend bool operator==(const FilmSize&, const FilmSize&) = default;
 };
 
 /// The parameters, before the lens is made.
