@@ -63,7 +63,7 @@ Camera "perspective" "float fov@1" 90 "float fov@2" 60 "float screenwindow" [-1 
   }
 }
 
-/// Where a pan of that angle to the right takes a direction, less where it was.
+/// Returns how far a pan of that angle to the right moves the direction that a pixel shows.
 Expected panned(int x, int y, double degrees) {
   const double scale = kWidth / 2., angle = degrees * std::acos(-1.) / 180;
   const double a = right(x) / scale, b = up(y) / scale;
