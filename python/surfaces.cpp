@@ -68,9 +68,9 @@ Scattered sample(const Surfaces& s, const Rows<Vec3>& u) {
 
 /// By power.
 LightChoice light_choice(const Scene& scene) {
-  LightChoice choice;
-  for (const SceneLight& light : scene.lights) choice.probability.push_back(light.probability);
-  return choice;
+  std::vector<float> probability;
+  for (const SceneLight& light : scene.lights) probability.push_back(light.probability);
+  return LightChoice(std::move(probability));
 }
 
 LightSamples sample_lights(const Surfaces& s, const Rows<Vec3>& u) {

@@ -236,7 +236,7 @@ class Learner {
 
   double usual(const FoundPath& path) const {
     return static_cast<double>(
-        scene_.light_choices[path.choice].probability[static_cast<std::size_t>(path.start.light)]);
+        scene_.light_choices[path.choice].probability()[static_cast<std::size_t>(path.start.light)]);
   }
   /// The scene's factor to a light's share of the paths. Boxes get paths by the square root of the sum of their
   /// records.
@@ -281,7 +281,7 @@ class Learner {
       const std::size_t choice = static_cast<std::size_t>(i), lights = scene_.lights.size(),
                         first = first_of_kind[choice * lights], end = first_of_kind[(choice + 1) * lights];
       guides.of_choice[choice] = guide_from(std::span<EmissionRecord>(records_).subspan(first, end - first),
-                                            scene_.light_choices[choice].probability, rooms_[choice]);
+                                            scene_.light_choices[choice].probability(), rooms_[choice]);
     });
     return guides;
   }

@@ -68,7 +68,7 @@ std::unique_ptr<Integrator> make_path(ParamReader& params, const Scene& scene, c
       params.flag("indirect", true, "light that rough surfaces have scattered more than once, too; false: direct only");
   describe_random_numbers(params);
   params.choice("lightsampler", "power", {"power", "bvh", "uniform", "exhaustive"},
-                "accepted for pbrt compatibility; dspm samples all lights, or eight of many");
+                "accepted for pbrt compatibility; dspm samples all lights, or a few of many");
   if (params.flag("regularize", false, "accepted for pbrt compatibility"))
     params.diagnostics().note(params.where("regularize"),
                               "paths are not regularized: the image has the caustics that pbrt blurs, and their noise");

@@ -152,7 +152,7 @@ std::vector<double> light_shares(const EmissionGuides& guides, const Scene& scen
     const std::vector<double> guided = guides.are_off() ? std::vector<double>() : guides.of_choice[c].shares(count);
     for (std::size_t i = 0; i < count; ++i)
       shares[i] += static_cast<double>(choice.share) *
-                   (guides.are_off() ? static_cast<double>(choice.probability[i]) : guided[i]);
+                   (guides.are_off() ? static_cast<double>(choice.probability()[i]) : guided[i]);
   }
   return shares;
 }
@@ -168,7 +168,7 @@ float start_density(const EmissionGuides* guides, const Scene& scene, const Scen
     if (light.choice_shares[choice] == 0) continue;
     density +=
         light.choice_shares[choice] * (guided ? guides->of_choice[choice].density(static_cast<int>(index), numbers)
-                                              : scene.light_choices[choice].probability[index]);
+                                              : scene.light_choices[choice].probability()[index]);
   }
   return density;
 }

@@ -41,7 +41,7 @@ EmissionGuides some_guides(const Scene& scene) {
     const Vec2 a = random.pair(0, 0), b = random.pair(0, 1);
     records.push_back({i * static_cast<int>(scene.lights.size()) / 3000, {a.x * a.x, a.y, b.x, b.y * b.y}, 1. + i % 3});
   }
-  return {{guide_from(records, scene.light_choices.front().probability)}};
+  return {{guide_from(records, scene.light_choices.front().probability())}};
 }
 
 // What a light subpath holds for a shadow ray in its place is the inverse of what a shadow ray holds for it, and what

@@ -36,10 +36,10 @@ void expect_complete(TestScene& test) {
     shares += static_cast<double>(choice.share);
     double sum = 0;
     for (std::size_t i = 0; i < scene->lights.size(); ++i) {
-      sum += static_cast<double>(choice.probability[i]);
+      sum += static_cast<double>(choice.probability()[i]);
       scene->lights[i].states.for_each(choice.frames, [&](FrameSet, const Light& light) {
         if (luminance(light.power()) > 0) {
-          EXPECT_GT(choice.probability[i], 0) << i;
+          EXPECT_GT(choice.probability()[i], 0) << i;
         }
       });
     }
@@ -72,7 +72,7 @@ TEST(LightChoices, GiveEachOfEightLampsAllPhotonsOfItsFrame) {
   ASSERT_EQ(scene->light_choices.size(), 8U);
   for (std::size_t c = 0; c < 8; ++c) {
     EXPECT_EQ(scene->light_choices[c].frames, FrameSet::single(static_cast<Frame>(c)));
-    EXPECT_EQ(scene->light_choices[c].probability[c + 1], 1);
+    EXPECT_EQ(scene->light_choices[c].probability()[c + 1], 1);
     EXPECT_EQ(scene->light_choices[c].choose(0.7f).index, static_cast<int>(c) + 1);
     EXPECT_EQ(scene->lights[c + 1].choice_shares[c], 1);
   }
@@ -99,7 +99,7 @@ TEST(LightChoices, DoNotDependOnTheFramesRendered) {
   const auto some = test.scene({FileFrame(2), FileFrame(5)});
   ASSERT_EQ(some->light_choices.size(), all->light_choices.size());
   for (std::size_t c = 0; c < 8; ++c) {
-    EXPECT_EQ(some->light_choices[c].probability, all->light_choices[c].probability);
+    EXPECT_EQ(some->light_choices[c].probability(), all->light_choices[c].probability());
     EXPECT_EQ(some->light_choices[c].share, all->light_choices[c].share);
     EXPECT_EQ(some->light_choices[c].frames.empty(), c != 2 && c != 5);
   }

@@ -142,8 +142,7 @@ LightChoices make_light_choices(const std::vector<WorldLight>& lights, const Lig
 std::vector<LightChoice> LightChoices::in(const std::vector<FileFrame>& frames) const {
   std::vector<LightChoice> choices;
   for (std::size_t c = 0; c < probabilities.size(); ++c) {
-    LightChoice& choice = choices.emplace_back();
-    choice.probability = probabilities[c];
+    LightChoice& choice = choices.emplace_back(probabilities[c]);
     const auto is_own = [&](int of) { return of == static_cast<int>(c); };
     const auto end = of_frame.begin() + static_cast<std::ptrdiff_t>(base);
     choice.share = static_cast<float>(std::count_if(of_frame.begin(), end, is_own)) / static_cast<float>(base);

@@ -20,13 +20,13 @@ LightSamples::LightSamples(std::span<const OfLight> lights) : shares_(lights.siz
     power += light.power;
   }
   tree_ = LightTree(lamps);
-  const std::size_t all = tree_.empty() ? kSamplesOfMany : kFewInfinite;
+  const std::size_t all = tree_.empty() ? kFewLights : kFewInfinite;
   const bool each = outside_.size() <= all;
   for (const std::size_t i : outside_) {
     const double alike = 1 / static_cast<double>(outside_.size());
     shares_[i] = each ? 1 : static_cast<float>(static_cast<double>(all) / 2 * (lights[i].power / power + alike));
   }
-  of_tree_ = tree_.empty() ? 0 : kSamplesOfMany - static_cast<int>(std::min(outside_.size(), all));
+  of_tree_ = tree_.empty() ? 0 : kSamplesOfTree;
 }
 
 }  // namespace dspm

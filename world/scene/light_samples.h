@@ -11,12 +11,12 @@
 namespace dspm {
 
 /// A few lights that shine are all sampled. If there are more, those infinitely far away, of which a few are all sampled, too, have
-/// a part of the samples to themselves, and a tree shares out the rest by what each of the others may send to the point.
+/// samples to themselves, and a tree shares out those of the others by what each may send to the point.
 class LightSamples {
  public:
   static constexpr std::size_t kFewLights = 8;
   static constexpr std::size_t kFewInfinite = 4;
-  static constexpr int kSamplesOfMany = 8;
+  static constexpr int kSamplesOfTree = 4;
 
   struct OfLight {
     double power;

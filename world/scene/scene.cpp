@@ -1,17 +1,23 @@
 #include "dspm/world/scene/scene.h"
 
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <utility>
+
 namespace dspm {
 
+LightChoice::LightChoice(std::vector<float> probability) : probability_(std::move(probability)) {
+  std::partial_sum(probability_.begin(), probability_.end(), std::back_inserter(sums_));
+}
+
+// Sums that rounding keeps below 1 leave numbers to the last light of a probability above 0: the first that reaches the last sum.
 ChosenLight LightChoice::choose(float u) const {
-  float below = 0;
-  ChosenLight chosen{0, 0};
-  for (std::size_t i = 0; i < probability.size(); ++i) {
-    if (probability[i] <= 0) continue;
-    chosen = {static_cast<int>(i), probability[i]};
-    below += probability[i];
-    if (u < below) break;
-  }
-  return chosen;
+  if (sums_.empty()) return {0, 0};
+  auto end = std::upper_bound(sums_.begin(), sums_.end(), u);
+  if (end == sums_.end()) end = std::lower_bound(sums_.begin(), sums_.end(), sums_.back());
+  const auto i = end - sums_.begin();
+  return {static_cast<int>(i), probability_[static_cast<std::size_t>(i)]};
 }
 
 }  // namespace dspm

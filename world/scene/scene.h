@@ -79,13 +79,20 @@ struct ChosenLight {
 
 /// Frames whose photon paths choose lights alike: in proportion to mean power over these frames of the file, times
 /// SceneLight::photons. Other frames start paths of their own, with the same random numbers.
-struct LightChoice {
-  FrameSet frames;
-  std::vector<float> probability;  // by light
-  float share = 1;                 // of the file's frames
+class LightChoice {
+ public:
+  explicit LightChoice(std::vector<float> probability);
 
   /// Returns a light of probability 0 if there are no lights.
   ChosenLight choose(float u) const;
+  const std::vector<float>& probability() const { return probability_; }
+
+  FrameSet frames;
+  float share = 1;  // of the file's frames
+
+ private:
+  std::vector<float> probability_;  // by light
+  std::vector<float> sums_;         // up to and with each light
 };
 
 /// A scene element made by a plugin, for messages.
