@@ -22,14 +22,16 @@ set(public_headers
   lights/four_lamps.h lights/light.h lights/light_bounds.h lights/light_tree.h
   materials/bsdf.h materials/interior.h materials/material.h materials/material_set.h materials/microfacet.h
   materials/parameters.h materials/shading_frame.h
+  media/majorants.h media/medium.h
   session/job/choices.h
   session/modules/module.h session/modules/stamp.h
   session/renderer.h
   shapes/cutout.h shapes/placed_shape.h shapes/shape.h shapes/triangle_mesh.h
   textures/image_cache.h textures/mip_map.h textures/plugins.h textures/texture.h textures/texture_set.h
-  world/scene/inside.h world/scene/light_samples.h world/scene/scene.h)
+  world/scene/frame_states.h world/scene/inside.h world/scene/light_samples.h world/scene/scene.h
+  world/scene/scene_media.h)
 set(testing_headers
-  testing/agreement.h testing/checks.h testing/chi2.h testing/furnace.h testing/promises.h testing/scattering.h
+  testing/agreement.h testing/checks.h testing/chi2.h testing/furnace.h testing/media.h testing/promises.h testing/scattering.h
   testing/scattering_cases.h testing/scenes.h testing/test_scene.h testing/verdict.h)
 set(toolkit_headers
   accel/box_ray.h accel/cut_query.h accel/hits.h accel/meet.h
@@ -44,18 +46,23 @@ set(toolkit_headers
   integrators/methods/pixel_statistics.h integrators/methods/progressive.h integrators/methods/progressive_settings.h
   integrators/photons/curve_photons.h integrators/photons/direct_balance.h integrators/photons/emission_guide.h
   integrators/photons/final_gather.h integrators/photons/gather.h integrators/photons/hidden_light.h
-  integrators/photons/hit_point.h integrators/photons/hit_point_tile.h integrators/photons/memory_needs.h
+  integrators/photons/camera_beam.h integrators/photons/gather_beams.h
+  integrators/photons/hit_point.h integrators/photons/hit_point_tile.h integrators/photons/medium_photons.h
+  integrators/photons/memory_needs.h
   integrators/photons/photon.h integrators/photons/photon_grid.h integrators/photons/photon_map.h
   integrators/photons/photon_numbers.h
   integrators/photons/radiance_estimate.h integrators/photons/trace_hit_points.h integrators/photons/trace_photons.h
   integrators/transport/balance.h integrators/transport/body.h integrators/transport/branching_path.h
   integrators/transport/camera_path.h integrators/transport/direct_light.h integrators/transport/joint_path.h
-  integrators/transport/light_value.h integrators/transport/nesting.h integrators/transport/path_step.h
+  integrators/transport/left_in_media.h integrators/transport/light_value.h integrators/transport/medium_boundary.h
+  integrators/transport/medium_flight.h integrators/transport/medium_passage.h integrators/transport/medium_vertex.h
+  integrators/transport/nesting.h integrators/transport/path_step.h
   integrators/transport/shape_face.h integrators/transport/strand.h integrators/transport/strip_place.h
   integrators/transport/walk.h
   lights/aim.h lights/strength.h
   materials/albedo_table.h materials/boundary_tables.h materials/brushed_albedo.h materials/brushed_tables.h
   materials/fresnel.h materials/interface.h materials/made_up.h materials/per_surroundings.h materials/relief.h
   materials/rough_boundary.h materials/table_place.h
+  media/henyey_greenstein.h
   shapes/beyond_hole.h shapes/curvature.h shapes/double_vec.h shapes/quadric.h shapes/rounding.h shapes/triangle.h
   textures/mapping.h)

@@ -2,7 +2,7 @@
 foreach(room
     base/math base/colour base/system base/params base/grid
     lang/gltf lang image image/denoise image/film
-    textures shapes materials lights cameras accel world/scene
+    textures media shapes materials lights cameras accel world/scene
     integrators integrators/transport integrators/photons integrators/guiding integrators/beside integrators/methods
     world/objects world/lighting world
     session/job session/modules session session/checkpoint session/machines

@@ -77,6 +77,7 @@ class Integrator {
 using MakeIntegrator = std::unique_ptr<Integrator>(ParamReader&, const Scene&, const RenderSettings&);
 struct IntegratorPlugin : Plugin<MakeIntegrator> {
   int frames_together = kMaxFrames;  // in one scene; 1 for an integrator that does not share work
+  bool sees_media = false;           // else scenes with media are refused
 };
 PluginTable<IntegratorPlugin>& integrator_plugins();
 

@@ -100,7 +100,7 @@ void SceneBuilder::set_plugin(std::optional<PluginUse>& slot, Directive& directi
 void SceneBuilder::camera(Directive& directive) {
   warn_of_second(directive, scene_.camera ? &*scene_.camera : nullptr);
   const Motion place = scene_is_whole_ ? place_of_replacing_camera() : state_.ctm.of_camera(transform_times_);
-  scene_.camera = CameraUse{plugin_use(directive), place};
+  scene_.camera = CameraUse{plugin_use(directive), place, state_.medium_interface};
   scene_.coordinate_systems["camera"] = place.inverse();
   if (scene_is_whole_) state_.ctm = {};
 }

@@ -57,6 +57,7 @@ void expect_name(const std::string& name, const char* thing, const std::set<std:
 bool can_replace(DirectiveKind kind) {
   switch (kind) {
     case make_named_material:
+    case make_named_medium:
     case texture:
     case camera:
     case integrator:
@@ -96,13 +97,12 @@ bool SceneBuilder::is_out_of_place(const Directive& directive) {
              in_variation = blocks_.innermost_is(Block::Kind::variation);
   if (!in_axis && !in_variation) return false;
   if (in_variation && can_replace(kind)) return false;
-  diagnostics_.error(
-      directive.where,
-      fmt::format("{} is not allowed in {} ({})", directive.info->name, begin_of(blocks_.innermost()),
-                  place_of(blocks_.innermost().where, directive.where)),
-      in_axis ? "an axis contains only VariationBegin .. VariationEnd"
-              : "a variation contains MakeNamedMaterial, Texture, Light, LightSource, AreaLightSource, Show, Hide, "
-                "Dynamic blocks, Camera and Integrator");
+  diagnostics_.error(directive.where,
+                     fmt::format("{} is not allowed in {} ({})", directive.info->name, begin_of(blocks_.innermost()),
+                                 place_of(blocks_.innermost().where, directive.where)),
+                     in_axis ? "an axis contains only VariationBegin .. VariationEnd"
+                             : "a variation contains MakeNamedMaterial, MakeNamedMedium, Texture, Light, LightSource, "
+                               "AreaLightSource, Show, Hide, Dynamic blocks, Camera and Integrator");
   return true;
 }
 
@@ -253,7 +253,8 @@ bool SceneBuilder::replace_job(Directive& directive, Variation& variation) {
   if (is_camera ? variation.camera.has_value() : variation.integrator.has_value())
     diagnostics_.error(directive.where, fmt::format("a second {} in this variation", directive.info->name));
   if (is_camera) {
-    variation.camera = CameraUse{plugin_use(directive), place_of_replacing_camera().of_camera()};
+    variation.camera = CameraUse{plugin_use(directive), place_of_replacing_camera().of_camera(),
+                                 scene_.camera ? scene_.camera->medium_interface : -1};
     state_.ctm = {};
   } else {
     variation.integrator = plugin_use(directive);
@@ -263,7 +264,7 @@ bool SceneBuilder::replace_job(Directive& directive, Variation& variation) {
 
 void SceneBuilder::check_replacements() {
   const std::set<std::string> materials = names_of_places(materials_), colours = names_of_places(spectrum_textures_),
-                              numbers = names_of_places(float_textures_);
+                              numbers = names_of_places(float_textures_), media = names_of_places(media_);
   std::set<std::string> lights, blocks;
   for (const LightUse& use : scene_.lights) lights.insert(use.name);
   std::set<std::string> sources = lights, areas;
@@ -300,6 +301,8 @@ void SceneBuilder::check_replacements() {
     for (const Variation& variation : axis.variations) {
       for (const MaterialUse& use : variation.materials)
         if (!reads_geometry) expect("material", use.name, materials, use.where, "define it with MakeNamedMaterial");
+      for (const MediumUse& use : variation.media)
+        expect("medium", use.name, media, use.where, "define it with MakeNamedMedium");
       for (const TextureUse& use : variation.textures)
         expect(use.is_spectrum ? "spectrum texture" : "float texture", use.name, use.is_spectrum ? colours : numbers,
                use.where, "define it with Texture");

@@ -175,13 +175,17 @@ void SceneBuilder::make_named_material(Directive& directive) {
 }
 
 void SceneBuilder::make_named_medium(Directive& directive) {
-  define(media_, directive);
+  Variation* const variation = variation_in_force();
+  define(variation ? replaced_.media : media_, directive);
   std::string name = directive.words[0].text;
+  Motion placement = variation ? around_variation_ : Motion();
+  placement.multiply(ctm());
   if (auto use = named_plugin_use(directive, AttributeTarget::medium))
-    scene_.media.push_back({*std::move(use), std::move(name)});
+    (variation ? variation->media : scene_.media).push_back({*std::move(use), std::move(name), std::move(placement)});
 }
 
 void SceneBuilder::medium_interface(const Directive& directive) {
+  state_.medium_interface = static_cast<int>(scene_.medium_interfaces.size());
   scene_.medium_interfaces.push_back({directive.words.front().text, directive.words.back().text, directive.where});
 }
 
@@ -218,7 +222,8 @@ void SceneBuilder::area_light_source(Directive& directive) {
 }
 
 void SceneBuilder::light_source(Directive& directive) {
-  LightUse light{plugin_use(directive, AttributeTarget::light), {}, ctm(), state_.dynamic_block};
+  LightUse light{
+      plugin_use(directive, AttributeTarget::light), {}, ctm(), state_.dynamic_block, state_.medium_interface};
   light.name = take_name(light.params);
   scene_.lights.push_back(std::move(light));
 }
@@ -232,7 +237,8 @@ void SceneBuilder::shape(Directive& directive) {
                state_.reverse_orientation,
                state_.material,
                state_.area_light,
-               state_.dynamic_block};
+               state_.dynamic_block,
+               state_.medium_interface};
   use.name = take_name(use.params);
   use.blurs = take_flag(use.params, kBlurParam, diagnostics_).value_or(use.blurs);
   if (use.dynamic_block < 0 && use.params.is_keyed()) {

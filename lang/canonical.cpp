@@ -45,6 +45,11 @@ class Canonical {
     for (const Param* param : sorted) this->param(*param);
     return *this;
   }
+  Canonical& media(const SceneDescription& scene, int interface) {
+    if (interface < 0) return *this;
+    const MediumInterfaceUse& use = scene.medium_interfaces[static_cast<std::size_t>(interface)];
+    return use.inside.empty() && use.outside.empty() ? *this : text("media").text(use.inside).text(use.outside);
+  }
   Canonical& use(const PluginUse& use) { return this->use(use.type, use.params).blur(use.blurs); }
   /// Usual ones are as they were before there were others.
   Canonical& blur(bool blurs) { return blurs ? *this : text("sharp"); }
@@ -81,12 +86,21 @@ class Digests {
     add_frames();
     if (scene_.camera)
       add(named("camera", scene_.camera->type), scene_.camera->where,
-          Canonical().use(*scene_.camera).motion(scene_.camera->camera_from_world, moments_));
+          Canonical()
+              .use(*scene_.camera)
+              .motion(scene_.camera->camera_from_world, moments_)
+              .media(scene_, scene_.camera->medium_interface));
+    for (const MediumUse& use : scene_.media) add_medium(use);
     for (const TextureUse& use : scene_.textures) add_texture(use);
     for (const MaterialUse& use : scene_.materials) add_material(use);
     for (const LightUse& use : scene_.lights)
       add(named("light", use.type), use.where,
-          Canonical().use(use).text(use.name).motion(use.world_from_light, moments_).number(use.dynamic_block),
+          Canonical()
+              .use(use)
+              .text(use.name)
+              .motion(use.world_from_light, moments_)
+              .number(use.dynamic_block)
+              .media(scene_, use.medium_interface),
           Kind::light, use.dynamic_block);
     for (const AreaLightUse& use : scene_.area_lights)
       add(named("area light", use.type), use.where, Canonical().use(use).text(use.name), Kind::look);
@@ -123,6 +137,10 @@ class Digests {
     add(named("material", use.name.empty() ? use.type : use.name) + where, use.where,
         Canonical().use(use).text(use.name), Kind::look);
   }
+  void add_medium(const MediumUse& use, const std::string& where = {}) {
+    add(named("medium", use.name) + where, use.where,
+        Canonical().use(use).text(use.name).motion(use.world_from_medium, moments_));
+  }
   void add_blocks() {
     for (std::size_t i = 0; i < scene_.dynamic_blocks.size(); ++i) {
       const DynamicBlock& block = scene_.dynamic_blocks[i];
@@ -141,7 +159,8 @@ class Digests {
         .number(use.material.index)
         .text(use.material.name)
         .number(use.area_light)
-        .number(use.dynamic_block);
+        .number(use.dynamic_block)
+        .media(scene_, use.medium_interface);
   }
   void add_objects() {
     for (const ObjectDefinition& object : scene_.objects) {
@@ -188,6 +207,7 @@ class Digests {
       add(named("area light", use.name) + " of " + name, use.where, Canonical().use(use).text(use.name));
     for (const TextureUse& use : variation.textures) add_texture(use, " of " + name);
     for (const MaterialUse& use : variation.materials) add_material(use, " of " + name);
+    for (const MediumUse& use : variation.media) add_medium(use, " of " + name);
     for (std::size_t i = first; i < digests_.size(); ++i) {
       digests_[i].kind = Kind::variation;
       digests_[i].axis = static_cast<int>(axis_index), digests_[i].variation = static_cast<int>(index);

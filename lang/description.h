@@ -30,7 +30,8 @@ struct PluginUse {
 };
 
 struct CameraUse : PluginUse {
-  Motion camera_from_world;  // as from pbrt's LookAt: maps world points to camera space
+  Motion camera_from_world;   // as from pbrt's LookAt: maps world points to camera space
+  int medium_interface = -1;  // see ShapeUse; the camera is outside
 };
 
 /// The options that dspm has: `Option "seed" 7` and the like.
@@ -64,6 +65,7 @@ struct LightUse : PluginUse {
   std::string name;  // of `"string name"`, removed from the parameters; empty: not given
   Motion world_from_light;
   int dynamic_block = -1;
+  int medium_interface = -1;  // see ShapeUse; the light is outside
 };
 
 struct AreaLightUse : PluginUse {
@@ -77,8 +79,9 @@ struct ShapeUse : PluginUse {
   Motion world_from_object;
   bool reverse_orientation = false;
   MaterialRef material;
-  int area_light = -1;     // into SceneDescription::area_lights; -1: none
-  int dynamic_block = -1;  // into SceneDescription::dynamic_blocks; -1: static
+  int area_light = -1;        // into SceneDescription::area_lights; -1: none
+  int dynamic_block = -1;     // into SceneDescription::dynamic_blocks; -1: static
+  int medium_interface = -1;  // into SceneDescription::medium_interfaces; -1: the same medium on both sides
   /// The directives after it that repeat it except for numbers, see shape_run.h; null if there are none.
   std::shared_ptr<const ShapeRun> run = nullptr;
 };
@@ -110,14 +113,17 @@ struct ObjectUse {
   bool blurs = true;  // as PluginUse's
 };
 
-/// A medium. Media are read and kept, so that missing support can be reported at the right place.
 struct MediumUse : PluginUse {
   std::string name;
+  Motion world_from_medium;
 };
 
+/// The media, by name, inside and outside of the shapes that follow.
 struct MediumInterfaceUse {
   std::string inside, outside;  // empty: vacuum
   SourceLocation where;
+
+  bool parts() const { return inside != outside; }
 };
 
 /// `Light "key" "float scale" .5`: multiplies the strength of the lights of that name.
@@ -140,6 +146,7 @@ struct Variation {
   SourceLocation where;  // of the quoted name
   std::vector<MaterialUse> materials;
   std::vector<TextureUse> textures;
+  std::vector<MediumUse> media;
   std::vector<LightScale> lights;
   std::vector<BlockSwitch> switches;
   std::vector<LightUse> light_sources;       // placed in the space of the light that they replace

@@ -23,6 +23,7 @@ struct GraphicsState {
   bool reverse_orientation = false;
   MaterialRef material;
   int area_light = -1;
+  int medium_interface = -1;
   int dynamic_block = -1;
   bool blurs = true;                                                                // of shapes, lights and instances
   std::array<std::shared_ptr<const ParamList>, kAttributeTargets> attributes = {};  // null: none; blocks share them

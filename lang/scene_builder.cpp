@@ -18,6 +18,7 @@ bool takes_keys(DirectiveKind kind) {
     case camera:
     case material:
     case make_named_material:
+    case make_named_medium:
     case texture:
     case light_source:
     case area_light_source:
@@ -70,7 +71,7 @@ void SceneBuilder::check_keys(const Directive& directive) {
     else
       diagnostics_.error(param.where,
                          fmt::format("parameters of {} cannot change between frames", directive.info->name),
-                         "those of Camera, materials, textures, lights and shapes in Dynamic blocks can");
+                         "those of Camera, materials, media, textures, lights and shapes in Dynamic blocks can");
   }
 }
 

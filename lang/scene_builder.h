@@ -144,7 +144,7 @@ class SceneBuilder {
   std::vector<std::map<std::string, Motion>> outer_coordinate_systems_;  // of files being imported
   Places float_textures_, spectrum_textures_, materials_, media_, objects_, axes_;
   struct {
-    Places float_textures, spectrum_textures, materials, lights, switches, light_sources, area_lights, blocks;
+    Places float_textures, spectrum_textures, materials, media, lights, switches, light_sources, area_lights, blocks;
   } replaced_;                                                       // by the current variation
   std::vector<Places> variations_;                                   // by axis
   std::map<std::string, DynamicPlace> dynamic_states_;               // by name, the first of each

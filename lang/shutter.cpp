@@ -19,6 +19,7 @@ constexpr double kLongest = 1000;  // frames
 bool blurs(const PluginUse& use) { return use.blurs && use.params.is_keyed(); }
 bool blurs(const LightScale& scale) { return scale.params.is_keyed(); }
 bool blurs(const TextureUse& use) { return use.params.is_keyed() || use.world_from_texture.is_keyed(); }
+bool blurs(const MediumUse& use) { return use.params.is_keyed() || use.world_from_medium.is_keyed(); }
 bool blurs(const LightUse& use) { return use.blurs && (use.params.is_keyed() || use.world_from_light.is_keyed()); }
 bool blurs(const ShapeUse& use) { return use.blurs && (use.params.is_keyed() || use.world_from_object.is_keyed()); }
 bool blurs(const ObjectUse& use) { return use.blurs && use.world_from_instance.is_keyed(); }
@@ -30,13 +31,14 @@ std::size_t count_blurred(const Uses& uses) {
 }
 
 struct Counts {
-  std::size_t cameras = 0, shapes = 0, lights = 0, materials = 0, textures = 0;
+  std::size_t cameras = 0, shapes = 0, lights = 0, materials = 0, textures = 0, media = 0;
 
   void add(const Variation& variation) {
     cameras += variation.camera && blurs(*variation.camera) ? 1 : 0;
     lights +=
         count_blurred(variation.lights) + count_blurred(variation.light_sources) + count_blurred(variation.area_lights);
     materials += count_blurred(variation.materials), textures += count_blurred(variation.textures);
+    media += count_blurred(variation.media);
   }
 };
 
@@ -104,6 +106,7 @@ std::vector<std::string> what_moves(const SceneDescription& scene) {
   for (const ObjectUse& use : scene.instances) counts.shapes += blurs(use) && !sharp.contains(use.name) ? 1 : 0;
   counts.lights = count_blurred(scene.lights) + count_blurred(scene.area_lights);
   counts.materials = count_blurred(scene.materials), counts.textures = count_blurred(scene.textures);
+  counts.media = count_blurred(scene.media);
   for (const VariationAxis& axis : scene.axes)
     for (const Variation& variation : axis.variations) counts.add(variation);
   std::vector<std::string> all;
@@ -113,6 +116,7 @@ std::vector<std::string> what_moves(const SceneDescription& scene) {
                                     {counts.materials, "material"},
                                     {counts.textures, "texture"}})
     if (count > 0) all.push_back(counted(count, name));
+  if (counts.media > 0) all.push_back(counts.media == 1 ? "1 medium" : fmt::format("{} media", counts.media));
   return all;
 }
 

@@ -38,11 +38,11 @@
 #include "dspm/materials/fresnel.h"
 #include "dspm/materials/interface.h"
 #include "dspm/materials/material.h"
-#include "dspm/materials/measured_media.h"
 #include "dspm/materials/microfacet.h"
 #include "dspm/materials/parameters.h"
 #include "dspm/materials/per_surroundings.h"
 #include "dspm/materials/shading_frame.h"
+#include "dspm/media/measured_media.h"
 
 namespace dspm {
 namespace {
@@ -220,19 +220,6 @@ class SubsurfaceMaterial final : public Material {
   Textures textures_;
 };
 
-const MeasuredMedium* find_medium(ParamReader& reader, const std::string& name) {
-  std::vector<std::string> names;
-  for (const MeasuredMedium& medium : measured_media()) {
-    if (medium.name == name) return &medium;
-    names.emplace_back(medium.name);
-  }
-  std::string all;
-  for (const std::string& each : names) all += (all.empty() ? "" : ", ") + each;
-  const std::string guess = did_you_mean(name, names);
-  reader.error("name", "there is no measured medium \"" + name + "\"", guess.empty() ? "available: " + all : guess);
-  return nullptr;
-}
-
 TexturePtr<Rgb> constant(const float (&values)[3]) {
   return std::make_shared<ConstantTexture<Rgb>>(Rgb(values[0], values[1], values[2]));
 }
@@ -265,7 +252,7 @@ class Contents {
   bool is_by_name() const { return !name_.empty(); }
   SubsurfaceMaterial::Textures textures(ParamReader& reader, const MaterialContext& context) const {
     if (!name_.empty())
-      if (const MeasuredMedium* medium = find_medium(reader, name_))
+      if (const MeasuredMedium* medium = find_measured_medium(reader, "name", name_))
         return {constant(medium->sigma_a), constant(medium->sigma_s), false};
     const auto texture = [&](const ValueOrTexture<Rgb>& value) {
       return texture_of(value, context.textures, reader.diagnostics());

@@ -23,6 +23,7 @@ std::string kind_of(const SceneElement& element, const Job& job) {
     case SceneElement::Kind::camera: return "camera";
     case SceneElement::Kind::shape: return "shape";
     case SceneElement::Kind::material: return "material";
+    case SceneElement::Kind::medium: return "medium";
     case SceneElement::Kind::light: break;
   }
   const bool directive = element.index < static_cast<int>(job.description->lights.size());

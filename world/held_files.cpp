@@ -25,10 +25,12 @@ class Holder {
       for (ShapeUse& use : *shapes) hold(use, use.dynamic_block);
     for (LightUse& use : description_.lights) hold(use, use.dynamic_block);
     hold_all(description_.area_lights), hold_all(description_.textures), hold_all(description_.materials);
+    hold_all(description_.media);
     for (VariationAxis& axis : description_.axes)
       for (Variation& variation : axis.variations) {
         hold_all(variation.light_sources), hold_all(variation.area_lights);
         hold_all(variation.textures), hold_all(variation.materials);
+        hold_all(variation.media);
       }
   }
 

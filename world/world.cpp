@@ -15,9 +15,11 @@
 #include "dspm/world/lighting/coverage.h"
 #include "dspm/world/lighting/lighting.h"
 #include "dspm/world/lighting/sharing.h"
+#include "dspm/world/media_in_scene.h"
 #include "dspm/world/nearby_views.h"
 #include "dspm/world/objects/distinct_names.h"
 #include "dspm/world/objects/geometry.h"
+#include "dspm/world/objects/media.h"
 #include "dspm/world/objects/nearby_changes.h"
 #include "dspm/world/objects/param_key.h"
 #include "dspm/world/objects/texture_cutout.h"
@@ -26,16 +28,6 @@
 
 namespace dspm {
 namespace {
-
-/// Reports media as errors: the language knows them, the renderer does not.
-void refuse_media(const SceneDescription& description, Diagnostics& diagnostics) {
-  for (const MediumUse& use : description.media)
-    diagnostics.unsupported(use.where, "medium \"" + use.name + "\": dspm does not render participating media",
-                            "with --lenient, it is empty");
-  for (const MediumInterfaceUse& use : description.medium_interfaces)
-    if (!use.inside.empty() || !use.outside.empty())
-      diagnostics.unsupported(use.where, "dspm does not render participating media", "with --lenient, they are empty");
-}
 
 void add_new_notes(const Diagnostics& from, Diagnostics& to) {
   std::vector<std::string> known;
@@ -72,14 +64,14 @@ struct World::Impl {
               sooner != nullptr ? sooner->looks.images()
                                 : std::make_shared<ImageCache>(!text.options.disable_texture_filtering),
               diagnostics),
+        media(text, diagnostics),
         geometry(text, options.check_meshes, looks, options.kept, diagnostics),
         kept(options.kept),
         sample_size(size_of_sample(options)) {
-    refuse_media(text, diagnostics);
     looks.refuse_unknown_replacements();
     const bool whole = diagnostics.error_count() == 0;
     if (whole && geometry.shapes().empty()) diagnostics.warning({}, "the scene has no shape");
-    if (whole && text.lights.empty() && geometry.emitters().empty())
+    if (whole && text.lights.empty() && geometry.emitters().empty() && !media.glow())
       diagnostics.warning({}, "the scene has no light: its images will be black");
     const bool fits = sooner != nullptr && is_within(geometry.bounds(), sooner->sphere);
     sphere = fits ? sooner->sphere : sphere_around(geometry.bounds());
@@ -208,6 +200,7 @@ struct World::Impl {
   const SceneDescription& description;
   const WorldOptions options;
   Looks looks;
+  Media media;
   Geometry geometry;
   KeptGeometry* kept;
   std::size_t sample_size;  // frames
@@ -278,12 +271,19 @@ std::unique_ptr<Scene> World::Impl::scene(std::span<const FileFrame> frames, Con
   scene->materials = looks.materials_in(scene->file_frames);
   scene->material_names = looks.material_names();
   find_bodies(*scene);
+  add_media(*scene, media, geometry, shapes_there(scene->file_frames, contents),
+            [&](std::span<const PlacedShape> shapes) {
+              Diagnostics ignored;
+              ParamReader reader = accel_reader(ignored);
+              return accel->make(reader, shapes, scene->frames());
+            });
   for (const WorldLight& light : lights) {
     if (light.infinite) scene->infinite_lights.push_back(static_cast<int>(scene->lights.size()));
     scene->lights.push_back({cut(light.states, scene->file_frames), light.probability,
                              alike_in(light, scene->file_frames), light.is_delta, light.controls.photons,
                              light.controls.caustics, light_choices.shares(light), group_of(light)});
   }
+  add_media_of_lights(*scene, description, media, geometry);
   scene->light_choices = light_choices.in(scene->file_frames);
   scene->direct_light = direct_light;
   scene->light_names = light_names.all();
@@ -296,6 +296,7 @@ std::unique_ptr<Scene> World::Impl::scene(std::span<const FileFrame> frames, Con
         nearby_views(description, frames, film()));
   scene->accel = make_accel(*scene, contents, sooner);
   find_bodies_around_camera(*scene);
+  add_media_around_camera(*scene, description, media);
   return scene;
 }
 
@@ -321,6 +322,7 @@ const PluginUse& World::use_of(const SceneElement& element, std::span<const File
   switch (element.kind) {
     case SceneElement::Kind::camera: break;
     case SceneElement::Kind::material: return impl_->looks.use_of(element.index, frames[static_cast<std::size_t>(j)]);
+    case SceneElement::Kind::medium: return impl_->media.use_of(element.index, frames[static_cast<std::size_t>(j)]);
     case SceneElement::Kind::light: return *impl_->lights[static_cast<std::size_t>(element.index)].use;
     case SceneElement::Kind::shape:
       return *impl_->shapes_there({frames.begin(), frames.end()})[static_cast<std::size_t>(element.index)]->use;
@@ -349,6 +351,7 @@ std::size_t World::tree_bytes_at_most(std::span<const FileFrame> frames) const {
 std::vector<std::string> World::explain(std::span<const FileFrame> frames) const {
   std::vector<std::string> lines =
       explain_sharing(impl_->description, impl_->geometry, impl_->looks, impl_->lights, impl_->camera, frames);
+  for (std::string& line : impl_->media.explain(frames)) lines.push_back(std::move(line));
   const auto worth = photon_worth(impl_->geometry, impl_->lights, impl_->light_choices, impl_->sphere);
   for (std::string& line : explain_worth(impl_->description.frames, impl_->light_choices, worth, frames))
     lines.push_back(std::move(line));

@@ -31,6 +31,9 @@ constexpr SceneLine kSceneLines[] = {
     {"area light", "", "AreaLightSource \"@name@\" \"rgb L\" [6 5 4]"},
     {"filter", "", "PixelFilter \"@name@\" \"float radius\" 1.5"},
     {"texture", "", "Texture \"pattern\" \"spectrum\" \"@name@\" \"rgb light\" [.8 .75 .6] \"rgb dark\" [.15 .2 .35]"},
+    {"medium", "",
+     "MakeNamedMedium \"air\" \"string type\" \"@name@\"\nAttributeBegin MediumInterface \"air\" \"\" Material "
+     "\"interface\" Translate 0 1 2 Shape \"sphere\" \"float radius\" 1.5 AttributeEnd"},
     {"material", "Material \"diffuse\" \"rgb reflectance\" [.7 .6 .5]",
      "Material \"@name@\" \"rgb reflectance\" [.7 .6 .5]"},
     {"shape", "Shape \"disk\" \"float radius\" 1.5", "Shape \"@name@\" \"float width\" 3 \"float height\" 2"},
@@ -45,6 +48,7 @@ Words words_of(std::string_view kind, const std::string& name) {
   for (auto& [word, value] : words)
     if (!value.empty()) value.pop_back();  // the end of the line
   if (kind == "texture") words["material"] = "Material \"diffuse\" \"texture reflectance\" \"pattern\"";
+  if (kind == "medium") words["integrator"] = "Integrator \"path\" \"integer iterations\" 64";
   words["name"] = name, words["kind"] = kind, words["version"] = kVersion.substr(0, kVersion.rfind('.'));
   return words;
 }

@@ -76,6 +76,15 @@ ValueOrTexture<Rgb> ParamReader::take_colour(std::string_view name, Rgb fallback
   return {fallback, texture, param->values_where};
 }
 
+std::vector<Rgb> ParamReader::colours(std::string_view name, SpectrumRole role, std::string_view sentence) {
+  const std::vector<float> v = take_groups(name, {ParamType::rgb}, 3, sentence);
+  const Param* const param = v.empty() ? nullptr : find(name);
+  std::vector<Rgb> colours(v.size() / 3);
+  for (std::size_t i = 0; i < colours.size(); ++i)
+    colours[i] = to_rec709({v[3 * i], v[3 * i + 1], v[3 * i + 2]}, param != nullptr ? param->space : space(), role);
+  return colours;
+}
+
 std::optional<Rgb> ParamReader::colour(const Param& param, SpectrumRole role) {
   if (param.type == ParamType::spectrum) {
     const std::optional<Spectrum> given = spectrum(param);

@@ -130,6 +130,8 @@ class ParamReader {
                                      std::string_view sentence);
   std::vector<float> numbers(std::string_view name, std::string_view sentence);
   std::vector<int> integers(std::string_view name, std::string_view sentence);
+  /// Reads any number of colours, given as rgb; like rgb() above, in Rec. 709.
+  std::vector<Rgb> colours(std::string_view name, SpectrumRole role, std::string_view sentence);
   std::vector<Vec2> points2(std::string_view name, std::string_view sentence);
   std::vector<Vec3> points3(std::string_view name, std::string_view sentence);  // point3, vector3 or normal
   std::vector<std::string> texts(std::string_view name, std::string_view sentence);

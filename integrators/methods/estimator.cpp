@@ -4,6 +4,7 @@
 
 #include "dspm/base/system/parallel.h"
 #include "dspm/integrators/caught_light.h"
+#include "dspm/integrators/photons/gather_beams.h"
 #include "dspm/integrators/possible_state.h"
 
 namespace dspm {
@@ -15,8 +16,8 @@ void PixelEstimator::see(std::span<const HitPointTile> tiles) {
   });
 }
 
-// Hidden light comes first. Its radius shrinks like kz11's for both estimators, so that it is linear in the photons and
-// can be added as seen light.
+// Hidden light and that of media come first. Their radii shrink like kz11's for both estimators, so that they are linear in
+// the photons and can be added as seen light.
 void PixelEstimator::gather(const PhotonBatch& batch, BatchCounts& counts) {
   gather_tiles(batch.tiles, counts.hidden, [&](const HitPointTile& tile, GatherCounts& work) {
     for (const HitPoint& hit : tile.glossy)
@@ -25,6 +26,13 @@ void PixelEstimator::gather(const PhotonBatch& batch, BatchCounts& counts) {
                       [&](FrameSet frames, const Rgb& radiance) {
                         add({frames, radiance / static_cast<float>(of_.photons), hit.pixel});
                       });
+    for (const CameraBeam& beam : tile.beams)
+      if (beam.caught == of_.caught)
+        gather_beam(
+            beam, tile, batch.in_media, of_.radius->of(1), work, [](int) { return true; },
+            [&](FrameSet frames, const Rgb& radiance) {
+              add({frames, radiance / static_cast<float>(of_.photons), beam.pixel});
+            });
   });
   gather_tiles(batch.tiles, counts.photons, [&](const HitPointTile& tile, GatherCounts& work) {
     for (const HitPoint& hit : tile.hit_points)

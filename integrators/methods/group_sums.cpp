@@ -5,6 +5,7 @@
 
 #include "dspm/base/system/parallel.h"
 #include "dspm/integrators/photons/gather.h"
+#include "dspm/integrators/photons/gather_beams.h"
 
 namespace dspm {
 
@@ -39,6 +40,14 @@ void GroupSums::gather(const PhotonBatch& batch, BatchCounts& counts) {
           hit, tile, batch.hidden.on_surfaces, radius2, [radius2](Frame) { return radius2; },
           [&](auto&& fn) { gather_hidden_by_group(hit, tile, batch.hidden, radius2, not_counted, fn); });
     }
+    for (const CameraBeam& beam : tile.beams)
+      for (int group = 0; group < groups_.count() && !beam.caught; ++group)
+        gather_beam(
+            beam, tile, batch.in_media, of_.radius->of(1), not_counted,
+            [&](int light) { return groups_.of_light(light) == group; },
+            [&](FrameSet frames, const Rgb& radiance) {
+              frames.for_each([&](Frame f) { sums_.at(row(group, beam.pixel), f) += radiance; });
+            });
     for (const HitPoint& hit : tile.hit_points) {
       if (hit.caught) continue;
       const float widest2 = whole_.search_radius2(hit);

@@ -9,8 +9,18 @@
 
 namespace dspm {
 
+namespace {
+
+/// Photons bring all that media scatter, wherever they start: learning looks at surfaces alone.
+ProgressiveSettings suited_to(const Scene& scene, ProgressiveSettings settings) {
+  if (!scene.media.empty()) settings.may_choose = settings.guided = false;
+  return settings;
+}
+
+}  // namespace
+
 LearnedWays::LearnedWays(const ProgressiveSettings& given, const Scene& scene)
-    : given_(given), settings_(given), lights_(static_cast<int>(scene.lights.size())) {}
+    : given_(suited_to(scene, given)), settings_(given_), lights_(static_cast<int>(scene.lights.size())) {}
 
 void LearnedWays::learn(const Scene& scene, const RenderSettings& render, Statistics& statistics) {
   learned_ = emission_of_file(scene, render, settings_.photon, settings_.hit_point, settings_.photons, settings_.guided,

@@ -58,6 +58,24 @@ class PathTracer {
     });
   }
 
+  void collided(const CameraPath& arriving, const MediumVertex& vertex) {
+    if (arriving.bounces >= limits_.max_depth || arriving.indirect) return;
+    for (const MediumVertex::State& state : vertex.states) {
+      CameraPath path = arriving;
+      path.frames = state.frames & arriving.frames;
+      if (path.frames.empty()) continue;
+      add_direct_light(path, vertex, state);
+      path.travel(vertex.distance);
+      scatter(path, vertex, state);
+    }
+  }
+
+  void glowed(const CameraPath& path, FrameSet frames, const Rgb& radiance) {
+    add(path, path.bounces, frames, path.throughput * radiance, [&] {
+      return SceneElement{SceneElement::Kind::medium, path.inside.medium};
+    });
+  }
+
   void escaped(const CameraPath& path, FrameSet frames) {
     if (render_.transparent && path.bounces == 0) return;
     for_each_escape(scene_, frames, path.ray, path.bounces,
@@ -90,15 +108,40 @@ class PathTracer {
                         });
   }
 
+  void add_direct_light(const CameraPath& path, const MediumVertex& vertex, const MediumVertex::State& state) {
+    const auto scattered = [&](const LightSample& sample) {
+      const float phase = state.phase.pdf_w(-vertex.wo, sample.lit.wi);
+      return state.albedo * phase * (sample.pdf_w > 0 ? balance(sample.pdf_w, phase) : 1);
+    };
+    sample_direct_light(scene_, path, vertex, path.frames, counts_, scattered,
+                        [&](FrameSet lit, const Rgb& radiance, auto&& giver) {
+                          add(path, path.bounces + 1, lit, path.throughput * radiance, giver);
+                        });
+  }
+
+  void scatter(CameraPath& path, const MediumVertex& vertex, const MediumVertex::State& state) {
+    const Vec3 wi = state.phase.sample(-vertex.wo, path.random.pair(path.bounces, kScatter));
+    path.throughput *= state.albedo;
+    if (!is_light(path.throughput)) return reject(path, path.frames, vertex.scatterer());
+    path.leave(vertex, wi, state.phase.pdf_w(-vertex.wo, wi));
+    path.indirect = !limits_.indirect;
+    go_on(path);
+  }
+
   void scatter(CameraPath& path, const Vertex& vertex, const Bsdf& bsdf) {
-    const int bounce = path.bounces;
     const auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::radiance, bsdf.all_lobes());
     if (!sample) return;
     extend(path, vertex, *sample);
     if (!is_finite(path.ray) || !is_light(path.throughput)) return reject(path, path.frames, vertex.material_element());
     path.leave(vertex, *sample);
     path.indirect = !limits_.indirect && !sample->specular;
+    go_on(path);
+  }
+
+  /// Plays roulette at the vertex that the path has left.
+  void go_on(CameraPath& path) {
     if (is_black(path.throughput)) return;
+    const int bounce = path.bounces - 1;
     const float chance = roulette_chance(path.throughput, path.eta_scale, bounce);
     if (chance >= 1 || survives(path, chance, path.random.number(bounce, kRoulette))) set_out(path);
   }

@@ -12,6 +12,7 @@
 #include "dspm/integrators/output_info.h"
 #include "dspm/integrators/photons/gather.h"
 #include "dspm/integrators/photons/hidden_light.h"
+#include "dspm/integrators/photons/medium_photons.h"
 
 namespace dspm {
 
@@ -20,6 +21,7 @@ struct PhotonBatch {
   std::span<const HitPointTile> tiles;
   const PhotonMap& photons;
   const HiddenPhotons& hidden;
+  const MediumPhotons& in_media;
 };
 
 /// The work of gathering a batch, by tile.

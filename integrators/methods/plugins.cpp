@@ -10,10 +10,12 @@ PluginTable<IntegratorPlugin>& integrator_plugins() {
       "integrator",
       {
           {{"ambientocclusion", "how much of the sky the first surface sees", make_ambientocclusion}},
-          {{"dsppm", "dynamic stochastic progressive photon mapping: all frames together", make_dsppm}},
-          {{"path", "path tracing, the unbiased reference", make_path}},
+          {{"dsppm", "dynamic stochastic progressive photon mapping: all frames together", make_dsppm},
+           kMaxFrames,
+           true},
+          {{"path", "path tracing, the unbiased reference", make_path}, kMaxFrames, true},
           {{"photonmap", "two-pass photon mapping, photons shared between frames", make_photonmap}},
-          {{"sppm", "stochastic progressive photon mapping, frame by frame", make_sppm}, 1},
+          {{"sppm", "stochastic progressive photon mapping, frame by frame", make_sppm}, 1, true},
           {{"vcm", "vertex connection and merging: bidirectional paths and photons, all frames together", make_vcm}},
       },
       {"lightpath", "randomwalk", "bdpt", "mlt", "function"});

@@ -135,6 +135,7 @@ class Progressive final : public Integrator {
     const StepTimer timer(statistics_.steps[kPhotonMap]);
     map_.build(traces_, scene.frame_count(), cell_size);
     hidden_.build(traces_, scene.frame_count(), cell_size);
+    if (!scene.media.empty()) in_media_.build(traces_);
   }
 
   void see_lights() {
@@ -147,7 +148,7 @@ class Progressive final : public Integrator {
     const StepTimer timer(statistics_.steps[kStatistics]);
     BatchCounts counts(tiles_.size());
     for (auto sink = sinks_.list.rbegin(); sink != sinks_.list.rend(); ++sink)
-      (*sink)->gather({tiles_, map_, hidden_}, counts);
+      (*sink)->gather({tiles_, map_, hidden_, in_media_}, counts);
     account(counts.hidden, statistics_);
     account(counts.photons, statistics_);
     typical_.add(counts.photons);
@@ -170,7 +171,7 @@ class Progressive final : public Integrator {
   }
 
   std::size_t bytes() const {
-    return sink_bytes_ + map_.bytes() + hidden_.bytes() + bytes_of(traces_) + bytes_of(tiles_);
+    return sink_bytes_ + map_.bytes() + hidden_.bytes() + in_media_.bytes() + bytes_of(traces_) + bytes_of(tiles_);
   }
 
   RenderSettings render_;
@@ -184,6 +185,7 @@ class Progressive final : public Integrator {
   std::vector<PhotonTrace> traces_;
   PhotonMap map_;
   HiddenPhotons hidden_;
+  MediumPhotons in_media_;
   Statistics statistics_;
 };
 

@@ -69,6 +69,12 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
   return s;
 }
 
+void expect_photons_in_media(ParamReader& params, const ProgressiveSettings& settings, const Scene& scene) {
+  if (settings.hit_point.go_on && !scene.media.empty())
+    params.error("indirect", "\"indirect\" \"paths\" finds no light that media scatter",
+                 "leave it out: in scenes with media photons bring all indirect light");
+}
+
 std::string in_words(const ProgressiveSettings& s) {
   const float radius = s.hit_point.radius;
   return fmt::format("{}{} photons per iteration, initial radius {}, estimator {}, gathering at GGX alpha {} and above",

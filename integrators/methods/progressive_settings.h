@@ -25,6 +25,9 @@ struct ProgressiveSettings {
 /// Returns the settings in words, for the log.
 std::string in_words(const ProgressiveSettings& settings);
 
+/// Reports an error if camera paths are to find what media scatter.
+void expect_photons_in_media(ParamReader& params, const ProgressiveSettings& settings, const Scene& scene);
+
 /// Reads the parameters and calls finish().
 ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderSettings& render);
 

@@ -7,6 +7,7 @@ void HitPointTile::clear() {
   glossy.clear();
   scatterings.clear();
   strips.clear();
+  beams.clear(), steps.clear();
   strands.clear();
   seen.clear();
   radii_in_pixels = 0;
@@ -22,6 +23,7 @@ std::size_t bytes_of(const std::vector<HitPointTile>& tiles) {
   for (const HitPointTile& tile : tiles)
     sum += (tile.hit_points.capacity() + tile.glossy.capacity()) * sizeof(HitPoint) +
            tile.scatterings.capacity() * sizeof(Scattering) + tile.strips.capacity() * sizeof(HitStrip) +
+           tile.beams.capacity() * sizeof(CameraBeam) + tile.steps.capacity() * sizeof(MediumStep) +
            tile.seen.capacity() * sizeof(SeenLight) + tile.strands.bytes();
   return sum;
 }

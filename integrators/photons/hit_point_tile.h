@@ -6,9 +6,11 @@
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/vec.h"
+#include "dspm/integrators/photons/camera_beam.h"
 #include "dspm/integrators/photons/hit_point.h"
 #include "dspm/integrators/seen_light.h"
 #include "dspm/integrators/statistics.h"
+#include "dspm/integrators/transport/medium_passage.h"
 #include "dspm/integrators/transport/strand.h"
 #include "dspm/integrators/transport/strip_place.h"
 #include "dspm/world/scene/scene.h"
@@ -49,6 +51,8 @@ struct HitPointTile {
   std::vector<HitPoint> glossy;      // where a glossy lobe extended the path: they gather only hidden photons
   std::vector<Scattering> scatterings;
   std::vector<HitStrip> strips;
+  std::vector<CameraBeam> beams;  // in media
+  std::vector<MediumStep> steps;  // of the beams
   StrandTable strands;
   std::vector<SeenLight> seen;
   double radii_in_pixels = 0;  // the sum over hit points of initial radius over pixel spacing
@@ -64,6 +68,9 @@ struct HitPointTile {
     const Scattering* scattering = scattering_of(hit);
     return scattering == nullptr || scattering->strip < 0 ? nullptr
                                                           : &strips[static_cast<std::size_t>(scattering->strip)];
+  }
+  MediumSection section_of(const CameraBeam& beam) const {
+    return {beam.begin, beam.end, beam.left, beam.sigma_t, std::span(steps).subspan(beam.first_step, beam.steps), {}};
   }
   /// Removes all hit points but keeps the memory.
   void clear();

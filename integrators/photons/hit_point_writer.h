@@ -85,6 +85,20 @@ class HitPointWriter {
     tile_.strips.push_back({StripPlace(vertex.shape, vertex.hit, vertex.wo), point.ns});
   }
 
+  /// Adds the part of the path's segment that the section is.
+  void add_beam(const CameraPath& path, const MediumSection& section) {
+    const float near = path.camera->pixel_spacing(path.length + path.passed),
+                far = path.camera->pixel_spacing(path.length + path.passed + 1);
+    const bool from_footprint = !(settings_.radius > 0);
+    tile_.beams.push_back({path.ray, section.begin, section.end, path.throughput, path.frames, path.strands, path.pixel,
+                           path.caught, path.inside.medium, from_footprint ? kRadiusInPixels * near : settings_.radius,
+                           from_footprint ? kRadiusInPixels * (far - near) : 0,
+                           from_footprint ? kLargestShareOfScene * scene_.radius : settings_.radius, section.left,
+                           section.sigma_t, static_cast<std::uint32_t>(tile_.steps.size()),
+                           static_cast<std::uint32_t>(section.steps.size())});
+    tile_.steps.insert(tile_.steps.end(), section.steps.begin(), section.steps.end());
+  }
+
  private:
   // A few pixel spacings, bounded by a fraction of the scene for points near the horizon.
   static constexpr float kRadiusInPixels = 4, kLargestShareOfScene = 0.05f;

@@ -24,7 +24,8 @@ std::size_t bytes_filled(const std::vector<HitPointTile>& tiles) {
   for (const HitPointTile& tile : tiles)
     sum += (tile.hit_points.size() + tile.glossy.size()) * sizeof(HitPoint) +
            tile.scatterings.size() * sizeof(Scattering) + tile.seen.size() * sizeof(SeenLight) +
-           tile.strips.size() * sizeof(HitStrip) + tile.strands.end() * sizeof(Strand);
+           tile.strips.size() * sizeof(HitStrip) + tile.beams.size() * sizeof(CameraBeam) +
+           tile.steps.size() * sizeof(MediumStep) + tile.strands.end() * sizeof(Strand);
   return sum;
 }
 
@@ -77,7 +78,11 @@ double bytes_a_photon_path(const Scene& scene, const PhotonSettings& settings, c
   hidden.build(traces, scene.frame_count(), 2 * scene.radius);
   double photons = static_cast<double>((map.size() + hidden.on_surfaces.size()) * sizeof(Photon) +
                                        hidden.on_curves.size() * sizeof(CurvePhoton));
-  for (const PhotonTrace& trace : traces) photons += static_cast<double>(trace.strands.end() * sizeof(Strand));
+  // Those in media are sorted as well, under boxes of four bytes for each.
+  constexpr std::size_t kSorted = 4 * sizeof(void*) + sizeof(float);
+  for (const PhotonTrace& trace : traces)
+    photons += static_cast<double>(trace.strands.end() * sizeof(Strand) +
+                                   trace.in_media.size() * (sizeof(MediumPhoton) + kSorted));
   return kSlack * (kWithCells * static_cast<double>(map.bytes() + hidden.bytes()) + photons) / kPaths;
 }
 

@@ -36,6 +36,19 @@ void PhotonWriter::store_on_curve(const PhotonPath& path, const PhotonOrigin& fr
   count(trace_.on_curves.back());
 }
 
+void PhotonWriter::store_in_medium(const PhotonPath& path, const PhotonOrigin& from, const MediumVertex& vertex) {
+  for (const MediumVertex::State& state : vertex.states) {
+    const FrameSet frames = state.frames & path.frames;
+    Rgb flux = path.throughput * state.albedo;
+    if (frames.empty() || is_black(flux)) continue;
+    const StrandList strands = trace_.strands.folded(path.strands, frames, flux);
+    trace_.in_media.push_back(
+        {vertex.point, -vertex.wo, flux, state.phase, frames, strands, from.index, vertex.medium});
+    trace_.stored.add(frames.count());
+    trace_.paths.weighted += strands != 0;
+  }
+}
+
 Photon PhotonWriter::photon(const PhotonPath& path, const PhotonOrigin& from, const Vertex& vertex, Rgb flux,
                             FrameSet frames) {
   const StrandList strands = trace_.strands.folded(path.strands, frames, flux);

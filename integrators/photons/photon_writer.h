@@ -63,6 +63,9 @@ class PhotonWriter {
       store(trace_.hidden, path, from, vertex, stored.hidden);
   }
 
+  /// Stores what is scattered there, in each of the medium's states.
+  void store_in_medium(const PhotonPath& path, const PhotonOrigin& from, const MediumVertex& vertex);
+
  private:
   bool gathers(const Vertex& vertex, const Bsdf& bsdf) const {
     return gathering_lobes(bsdf, vertex.point, settings_.least_alpha) != 0;

@@ -52,6 +52,7 @@ class PhotonTracer {
     const EmissionStart chosen = start_of(settings_.guides, scene_, choice, random);
     if (chosen.density == 0) return;
     const SceneLight& light = scene_.lights[static_cast<std::size_t>(chosen.light)];
+    if (light.is_drowned) return;
     const EmissionNumbers& u = chosen.numbers;
     for (const PhotonStart& start : starts_.of(choice, chosen.light)) {
       const FrameSet frames = start.frames & settings_.frames;
@@ -68,6 +69,7 @@ class PhotonTracer {
       const LightStart place{emission->ray, emission->normal, emission->primitive};
       started_.push_back({light, *start.light, place, emission->must_reach, chosen.light, light_seen(*emission)});
       path.random = random, path.strands = start.strands, path.inside = start.inside;
+      path.inside.medium = light.media.medium_towards(!(dot(emission->normal, emission->ray.direction) < 0));
       path.hidden = settings_.hidden && light.is_delta, path.caustics = light.caustics;
       if (start.varied != nullptr && !weigh(path, *start.varied, chosen.light)) {
         branches_.drop();
@@ -111,6 +113,36 @@ class PhotonTracer {
     energy_.change(before.strands, after.frames, [&](EnergyBalance& e, const Rgb& weight) {
       e.absorbed += sum(before.throughput * weight) - sum(after.throughput * weight);
     });
+  }
+
+  /// Frames that the medium scatters alike, but for colour, go on together.
+  void collided(const PhotonPath& path, const MediumVertex& vertex) {
+    if (path.bounces == 0 && vertex.distance < started(path).must_reach)
+      return balance(path, path.frames, &EnergyBalance::absorbed);
+    writer_.store_in_medium(path, started(path), vertex);
+    if (path.bounces + 1 >= settings_.max_depth) {
+      balance(path, path.frames, &EnergyBalance::too_deep);
+      return balance(path, path.frames, &EnergyBalance::terminated);
+    }
+    FrameSet done;
+    for (const MediumVertex::State& first : vertex.states) {
+      if (!(first.frames & done).empty()) continue;
+      FrameArray<FrameFactor> factors;
+      for (const MediumVertex::State& state : vertex.states)
+        if (state.phase == first.phase && (state.frames & done).empty() && (settings_.share_paths || &state == &first))
+          factors.add({state.frames, state.albedo});
+      for (const FrameFactor& factor : factors) done |= factor.frames;
+      scatter(path, vertex, first.phase, std::span<const FrameFactor>(factors));
+    }
+  }
+
+  void scatter(const PhotonPath& path, const MediumVertex& vertex, const HenyeyGreenstein& phase,
+               std::span<const FrameFactor> factors) {
+    const Vec3 w = phase.sample(-vertex.wo, path.random.pair(path.bounces, kScatter));
+    PhotonPath& branch = branches_.push(path);
+    branch.kind = kDiffusePhotons, branch.hidden = false;
+    extend_ray(branch, vertex, w);
+    if (!roulette(branch, vertex.scatterer(), factors, path.random.number(path.bounces, kRoulette))) branches_.drop();
   }
 
   void arrived(const PhotonPath& path, const Vertex& vertex) {
@@ -170,14 +202,15 @@ class PhotonTracer {
     branch.hidden = path.hidden && sample.specular;
     if (settings_.keep_seen) branch.seen = seen_along(scene_, path, started(path), vertex, sample);
     extend_ray(branch, vertex, sample);
-    if (!roulette(branch, vertex, factors, path.random.number(path.bounces, kRoulette))) branches_.drop();
+    if (!roulette(branch, vertex.material_element(), factors, path.random.number(path.bounces, kRoulette)))
+      branches_.drop();
   }
 
-  /// Multiplies by the factors. Returns whether the path survives in some of its frames.
-  bool roulette(PhotonPath& path, const Vertex& vertex, std::span<const FrameFactor> factors, float u) {
+  /// Multiplies by the factors, of `giver`. Returns whether the path survives in some of its frames.
+  bool roulette(PhotonPath& path, const SceneElement& giver, std::span<const FrameFactor> factors, float u) {
     const auto left = [&](StrandList weights, FrameSet frames, const Rgb& before, const Rgb& after) {
       const bool valid = is_light(after);
-      if (!valid) reject(frames, vertex.material_element());
+      if (!valid) reject(frames, giver);
       const float p = valid ? std::min(1.f, max_component(after) / max_component(before)) : 0;
       const Rgb surviving = p >= 1 ? after : u < p ? after * (1 / p) : Rgb();
       EnergyBalance change;
@@ -212,6 +245,7 @@ void clear(PhotonTrace& trace, const StrandTable& of_lights) {
   trace.photons.clear();
   trace.hidden.clear();
   trace.on_curves.clear();
+  trace.in_media.clear();
   trace.ends.clear();
   trace.seen.clear();
   trace.strands = of_lights, trace.own_strands = of_lights.end();
@@ -233,7 +267,8 @@ std::size_t bytes_of(const std::vector<PhotonTrace>& traces) {
   std::size_t sum = 0;
   for (const PhotonTrace& trace : traces)
     sum += (trace.photons.capacity() + trace.hidden.capacity()) * sizeof(Photon) +
-           trace.on_curves.capacity() * sizeof(CurvePhoton) + trace.strands.bytes();
+           trace.on_curves.capacity() * sizeof(CurvePhoton) + trace.in_media.capacity() * sizeof(MediumPhoton) +
+           trace.strands.bytes();
   return sum;
 }
 

@@ -8,6 +8,7 @@
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/rng.h"
 #include "dspm/integrators/photons/curve_photons.h"
+#include "dspm/integrators/photons/medium_photons.h"
 #include "dspm/integrators/photons/photon.h"
 #include "dspm/integrators/photons/photon_numbers.h"
 #include "dspm/integrators/statistics.h"
@@ -54,6 +55,7 @@ struct PhotonTrace {
   // lobes. In the same order.
   std::vector<Photon> hidden;
   std::vector<CurvePhoton> on_curves;  // likewise, on surfaces that turn
+  std::vector<MediumPhoton> in_media;
   struct End {
     std::size_t photons, hidden, on_curves;
   };

@@ -8,6 +8,7 @@
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/vec.h"
+#include "dspm/integrators/transport/left_in_media.h"
 #include "dspm/integrators/transport/nesting.h"
 #include "dspm/integrators/transport/path_step.h"
 #include "dspm/world/scene/scene.h"
@@ -28,13 +29,25 @@ inline Ray beyond(const Ray& ray, const Vertex& vertex, float distance) {
 FrameSet open_frames(const Scene& scene, const Ray& segment, const Inside& inside, FrameSet frames);
 
 /// Calls fn(FrameSet, const Rgb& transmittance) for the frames in which nothing blocks the segment, which lies in these
-/// bodies.
+/// bodies, in a scene without media.
 template <class Fn>
 void for_each_open(const Scene& scene, const Ray& segment, const Inside& inside, FrameSet frames, Fn&& fn) {
   const FrameSet open = open_frames(scene, segment, inside, frames);
   if (open.empty()) return;
   if (inside.is_empty()) return fn(open, Rgb(1));
   for (const FrameFactor& left : left_within(scene, inside, open, segment.t_max)) fn(left.frames, left.factor);
+}
+
+/// The same in any scene: the segment starts in the medium that `inside` names.
+template <class Fn>
+void for_each_open(const Scene& scene, const Ray& segment, const Inside& inside, FrameSet frames,
+                   const SegmentNumbers& numbers, Fn&& fn) {
+  if (scene.media.empty()) return for_each_open(scene, segment, inside, frames, fn);
+  const FrameSet open = open_frames(scene, segment, inside, frames);
+  if (open.empty()) return;
+  for (const FrameFactor& media : left_in_media(scene, segment, inside.medium, open, numbers))
+    for (const FrameFactor& left : left_within(scene, inside, media.frames, segment.t_max))
+      fn(left.frames, media.factor * left.factor);
 }
 
 /// Returns the bodies around a point in a frame.

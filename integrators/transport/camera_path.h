@@ -12,6 +12,7 @@
 #include "dspm/base/math/vec.h"
 #include "dspm/integrators/camera_numbers.h"
 #include "dspm/integrators/tiles.h"
+#include "dspm/integrators/transport/medium_vertex.h"
 #include "dspm/integrators/transport/path_step.h"
 #include "dspm/shapes/curvature.h"
 #include "dspm/world/scene/scene.h"
@@ -46,6 +47,11 @@ struct CameraPath : PathState {
     from = vertex.point.p, from_ng = vertex.point.turns ? Vec3{} : vertex.point.ng,
     pdf_w = sample.specular ? 0 : sample.pdf_w;
     if (sample.specular && width > 0 && !vertex.point.turns) spread(vertex, sample);
+  }
+  /// The same from a collision with a medium, in direction w.
+  void leave(const MediumVertex& vertex, const Vec3& w, float density) {
+    from = vertex.point, from_ng = {}, pdf_w = density;
+    extend_ray(*this, vertex, w);
   }
   float diameter(float segment) const {
     return width * std::abs(camera->pixel_spacing(length + segment) + more_spacing + more_spread * segment);

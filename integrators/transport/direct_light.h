@@ -1,4 +1,4 @@
-// Direct light at a surface from one shadow ray, for all frames of a path at once.
+// Direct light at a point of a surface or of a medium from one shadow ray, for all frames of a path at once.
 #pragma once
 
 #include <cmath>
@@ -11,20 +11,22 @@
 #include "dspm/integrators/statistics.h"
 #include "dspm/integrators/transport/body.h"
 #include "dspm/integrators/transport/light_value.h"
+#include "dspm/integrators/transport/medium_vertex.h"
 #include "dspm/integrators/transport/path_step.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {
 
+inline constexpr float kShortOfLight = 1 - 1e-4f;
+
 /// A shadow ray that stops short of the light's surface.
 inline Ray shadow_ray(const SurfacePoint& point, const Illumination& light) {
-  constexpr float kShort = 1 - 1e-4f;
   Ray ray = point.spawn(light.wi);
   if (!std::isfinite(light.distance)) return ray;
   // Re-aimed from the offset origin: a grazing ray would otherwise miss the light's point.
   const Vec3 to_light = point.p + light.wi * light.distance - ray.origin;
   const float distance = length(to_light);
-  if (distance > 0) ray.direction = to_light / distance, ray.t_max = distance * kShort;
+  if (distance > 0) ray.direction = to_light / distance, ray.t_max = distance * kShortOfLight;
   return ray;
 }
 
@@ -131,38 +133,42 @@ inline void prefetch_direct_light(const Scene& scene, const PathState& path) {
 /// The lights that is_told_by_a_ray() is true for: one shadow ray each, or a chance to be the one that is chosen.
 enum class DeltaLights { each, chosen };
 
+inline Ray shadow_ray(const Vertex& vertex, const Illumination& light) { return shadow_ray(vertex.point, light); }
+inline Ray shadow_ray(const MediumVertex& vertex, const Illumination& light) {
+  return {vertex.p(), light.wi, light.distance * kShortOfLight};
+}
+
 /// Samples lights with the path's random numbers for its next bounce, traces a shadow ray to one of the samples and
-/// calls fn(FrameSet, const Rgb&, giver) with the radiance that the vertex scatters back along the path, for those of
-/// `frames` in which nothing is in between. `scattered(const LightSample&)` returns f, weighted if other ways find the
-/// same light. Radiance that is negative or not finite is passed on; giver() then returns its source.
-template <class ScatteringFunction, class Fn>
-void sample_direct_light(const Scene& scene, const PathState& path, const Vertex& vertex, FrameSet frames,
+/// calls fn(FrameSet, const Rgb&, giver) with the radiance that the place, a Vertex or a MediumVertex, scatters back along
+/// the path, for those of `frames` in which nothing is in between. `scattered(const LightSample&)` returns f, weighted if
+/// other ways find the same light. Radiance that is negative or not finite is passed on; giver() then returns its source.
+template <class Place, class ScatteringFunction, class Fn>
+void sample_direct_light(const Scene& scene, const PathState& path, const Place& place, FrameSet frames,
                          PathCounts& counts, ScatteringFunction&& scattered, Fn&& fn,
                          DeltaLights delta_lights = DeltaLights::chosen) {
   const int bounce = path.bounces + 1;
   const Vec2 u = path.random.pair(bounce, kLightPoint);
-  const SurfacePoint& point = vertex.point;
-  const LightReceiver receiver = receiver_at(point);
+  const LightReceiver receiver = place.receiver();
   FrameArray<ChosenSample> choosing;
   choosing.add({frames, path.random.pair(bounce, kLightDirection).x});
   const auto for_each_lit = [&](const Illumination& lit, FrameSet of, auto&& see) {
     ++counts.shadow_rays;
-    for_each_open(scene, shadow_ray(point, lit), vertex.inside_beyond(path.inside, lit.wi), of, see);
+    for_each_open(scene, shadow_ray(place, lit), place.inside_beyond(path.inside, lit.wi), of, {path.random, bounce},
+                  see);
   };
   int offers = 0;
   // Of a light that is sampled several times, each sample has a part of the numbers to itself.
   const auto sample = [&](const SceneLight& scene_light, FrameSet of, float samples, Vec2 numbers) {
     const float in_weights = scene.direct_light.size() == 1 ? samples : light_samples(scene, scene_light, receiver);
     scene_light.states.for_each(of, [&](FrameSet common, const Light& light) {
-      const auto lit = light.illuminate(point.p, numbers);
+      const auto lit = light.illuminate(place.p(), numbers);
       if (!lit) return;
       const float pdf_w = samples * lit->pdf_w;
-      const Rgb f =
-          scattered(LightSample{scene_light, light, *lit, in_weights * lit->pdf_w}) * std::abs(dot(lit->wi, point.ns));
+      const Rgb f = scattered(LightSample{scene_light, light, *lit, in_weights * lit->pdf_w}) * place.cosine(lit->wi);
       if (is_black(f)) return;
       const Rgb radiance = f * lit->radiance / (pdf_w > 0 ? pdf_w : samples);
       if (!is_light(radiance)) {
-        const SceneElement giver = is_light(f) ? light_element(scene, scene_light) : vertex.material_element();
+        const SceneElement giver = is_light(f) ? light_element(scene, scene_light) : place.scatterer();
         fn(common, radiance, [&] { return giver; });
       } else if (!(max_component(radiance) > 0)) {
         return;

@@ -13,12 +13,19 @@
 #include "dspm/base/math/rng.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/integrators/dimension.h"
+#include "dspm/integrators/transport/medium_vertex.h"
 #include "dspm/integrators/transport/strand.h"
 #include "dspm/integrators/transport/walk.h"
 #include "dspm/materials/relief.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {
+
+/// What a path remembers of its flights through media.
+struct Flights {
+  Rgb share{1};     // of the density of the path's points by each colour's flights, over the mean of all three
+  int numbers = 0;  // random ones, drawn for the next segment so far
+};
 
 /// A path is a value. When frames part, each group gets a copy, with disjoint frame sets.
 struct PathState {
@@ -32,6 +39,7 @@ struct PathState {
   Walk walk = {};          // through the body that the path is in, if that scatters
   Inside inside = {};      // the bodies that the next segment lies in, see nesting.h
   float passed = 0;        // what it has passed of the next segment, through surfaces that are not there
+  Flights flights = {};    // through media
 
   /// The diameter, in the world, of what the path stands for at the end of its next segment: textures average over it.
   float diameter(float /*segment*/) const { return 0; }
@@ -52,7 +60,8 @@ struct Vertex {
         diameter(width),
         shape(scene.shapes[static_cast<std::size_t>(part.hit.shape)]),
         material(scene.materials[static_cast<std::size_t>(shape.material)]),
-        body(scene.body_of(shape.material)) {}
+        body(scene.body_of(shape.material)),
+        interface(scene.interface_at(part.hit.shape)) {}
 
   RayHit hit;
   SurfacePoint point;
@@ -62,12 +71,14 @@ struct Vertex {
   const PlacedShape& shape;
   const FrameStates<Material>& material;
   int body;  // the material of the body that the surface bounds in some frame, if paths need to know it
+  const MediumInterface* interface;  // null: the surface parts no media
 
   /// Returns whether w leads into the body.
   bool leads_inside(const Vec3& w) const { return body != kNoBody && dot(w, point.ng) < 0; }
-  /// Returns the bodies that a segment in direction w lies in, if the one that arrived here lay in `arriving`.
+  /// Returns what a segment in direction w lies in, if the one that arrived here lay in `arriving`.
   Inside inside_beyond(const Inside& arriving, const Vec3& w) const {
     Inside beyond = arriving;
+    if (interface != nullptr) beyond.medium = interface->medium_towards(dot(w, point.ng) > 0);
     if (leads_inside(w) == leads_inside(wo)) return beyond;
     if (leads_inside(w))
       beyond.enter(body);
@@ -85,6 +96,13 @@ struct Vertex {
   }
   /// Returns whether the material differs between the frames.
   bool differs() const { return material.differs_in(frames); }
+
+  // The surface as a place that is lit.
+  const Vec3& p() const { return point.p; }
+  LightReceiver receiver() const { return {point.p, point.turns ? Vec3{} : point.ng}; }
+  float cosine(const Vec3& w) const { return std::abs(dot(w, point.ns)); }
+  Ray spawn(const Vec3& w) const { return point.spawn(w); }
+  SceneElement scatterer() const { return material_element(); }
 
   // The plugin to blame for values that are not finite.
   SceneElement shape_element() const { return {SceneElement::Kind::shape, hit.shape}; }
@@ -249,13 +267,17 @@ inline std::optional<BsdfSample> sample_bsdf(const Bsdf& bsdf, const PathState& 
 /// Starts the path's next segment along the sampled direction; the caller updates the throughput.
 inline void extend_ray(PathState& path, const SurfacePoint& point, const BsdfSample& sample) {
   path.eta_scale *= sample.eta_scale;
-  path.ray = point.spawn(sample.wi), path.passed = 0;
+  path.ray = point.spawn(sample.wi), path.passed = 0, path.flights.numbers = 0;
   ++path.bounces;
   if (sample.ahead) path.walk = Walk(*sample.ahead);
   path.walk.start(path.ray, path.random, path.bounces);
 }
+inline void extend_ray(PathState& path, const MediumVertex& vertex, const Vec3& w) {
+  path.ray = vertex.spawn(w), path.passed = 0, path.flights.numbers = 0;
+  ++path.bounces;
+}
 inline void extend_ray(PathState& path, const Vertex& vertex, const BsdfSample& sample) {
-  if (vertex.body != kNoBody) path.inside = vertex.inside_beyond(path.inside, sample.wi);
+  if (vertex.body != kNoBody || vertex.interface != nullptr) path.inside = vertex.inside_beyond(path.inside, sample.wi);
   extend_ray(path, vertex.point, sample);
 }
 inline void extend(PathState& path, const Vertex& vertex, const BsdfSample& sample) {

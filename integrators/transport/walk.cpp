@@ -6,6 +6,7 @@
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/sampling.h"
 #include "dspm/base/math/vec.h"
+#include "dspm/media/henyey_greenstein.h"
 
 namespace dspm {
 namespace {
@@ -19,17 +20,6 @@ int dimension(int collision, int number) { return kFlights + collision * kNumber
 
 /// Returns the share of light that a flight of that length leaves.
 float left_after(float sigma_t, float distance) { return std::exp(-sigma_t * distance); }
-
-/// Returns a direction whose cosine to w is distributed by Henyey and Greenstein's phase function.
-Vec3 turned(const Vec3& w, float g, Vec2 u) {
-  float cosine = 1 - 2 * u.x;
-  if (std::abs(g) > 1e-3f) {
-    const float s = (1 - g * g) / (1 - g + 2 * g * u.x);
-    cosine = std::clamp((1 + g * g - s * s) / (2 * g), -1.f, 1.f);
-  }
-  const float sine = std::sqrt(1 - cosine * cosine), phi = 2 * kPi * u.y;
-  return normalize(Basis::around(w).to_world({sine * std::cos(phi), sine * std::sin(phi), cosine}));
-}
 
 }  // namespace
 
@@ -79,7 +69,8 @@ Rgb Walk::scatter(Ray& ray, const PathRandom& random, int bounce) {
   if (!(random.number(bounce, dimension(collisions_, kSurvival)) < survival)) return {};
   factor *= 1 / survival, weight_ *= 1 / survival;
   ray.origin = ray.at(ray.t_max);
-  ray.direction = turned(ray.direction, interior_.g, random.pair(bounce, dimension(collisions_, kTurn)));
+  ray.direction =
+      HenyeyGreenstein(interior_.g).sample(ray.direction, random.pair(bounce, dimension(collisions_, kTurn)));
   fly(ray, random, bounce);
   return factor;
 }

@@ -81,6 +81,15 @@ void keep_known(ParamList& list, const PluginUse& use, const Plugin<MakeIntegrat
   });
 }
 
+void refuse_media_unless_seen(const SceneDescription& description, const IntegratorPlugin& plugin,
+                              Diagnostics& diagnostics) {
+  if (plugin.sees_media) return;
+  for (const MediumInterfaceUse& use : description.medium_interfaces)
+    if (!use.inside.empty() || !use.outside.empty())
+      return diagnostics.unsupported(use.where, fmt::format("integrator \"{}\" sees no media", plugin.name),
+                                     "dsppm, sppm and path do; with --lenient, they are empty");
+}
+
 /// Makes sppm without parameters what pbrt makes of it in a .pbrt file; dspm's own defaults differ.
 void add_pbrt_defaults(ParamList& list, const SourceLocation& where) {
   const auto add = [&](std::string_view name, ParamType type, Param::Values value) {
@@ -128,6 +137,7 @@ IntegratorChoice choose_integrator(const SceneDescription& description, const Ch
   }
   if (choice.plugin == nullptr) return choice;
 
+  refuse_media_unless_seen(description, *choice.plugin, diagnostics);
   const std::vector<ParamInfo> described = params_of(*choice.plugin);
   if (use) {
     choice.params = use->params;

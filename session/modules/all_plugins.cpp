@@ -18,6 +18,7 @@
 #include "dspm/materials/material.h"
 #include "dspm/materials/parameters.h"
 #include "dspm/materials/relief.h"
+#include "dspm/media/medium.h"
 #include "dspm/shapes/cutout.h"
 #include "dspm/shapes/shadow_catcher.h"
 #include "dspm/shapes/shape.h"
@@ -66,6 +67,7 @@ std::vector<CatalogueEntry> all_plugins() {
   static const MaterialContext material{textures};
   static const LightContext light{};
   static const CameraContext camera{};
+  static const MediumContext medium{};
   static const Scene scene{};
   static const RenderSettings settings{};
   static const std::span<const PlacedShape> no_shapes;
@@ -73,6 +75,7 @@ std::vector<CatalogueEntry> all_plugins() {
   std::vector<CatalogueEntry> entries;
   add(entries, shape_plugins());
   add(entries, material_plugins(), material);
+  add(entries, medium_plugins(), medium);
   add(entries, texture_plugins<Rgb>(), texture);  // float textures have the same names
   add(entries, light_plugins(), light);
   add(entries, area_light_plugins(), light);

@@ -105,7 +105,7 @@ project() {
   bash -ec "$commands" >"$work/$1.log" 2>&1 || { cat "$work/$1.log" >&2; fail "what --new-plugin $1 says fails with $compiler"; }
 }
 
-projects() { each project integrator material shape texture light area-light camera filter accelerator; }
+projects() { each project integrator material medium shape texture light area-light camera filter accelerator; }
 
 # dspm's own plugins, one of each kind, with nothing changed but where they are registered, give the same images.
 moved() {

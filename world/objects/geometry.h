@@ -32,12 +32,13 @@ struct UnlikeFiles;
 struct WorldShape {
   PlacedShape placed;  // `frames` and `light` are set when a scene is cut
   std::shared_ptr<const Shape> shape;
-  FrameRanges present;      // in the file
-  int emitter = -1;         // which of Geometry::emitters it belongs to
-  int dynamic_block = -1;   // of the description; -1: static
-  bool moves = false;       // while the shutter is open, it may differ from what it is at the frame's moment
-  bool is_catcher = false;  // of shadows
-  const ShapeUse* use = nullptr;
+  FrameRanges present;            // in the file
+  FrameRanges only_parts;         // frames in which its surface is not there, but parts media
+  int emitter = -1;               // which of Geometry::emitters it belongs to
+  int dynamic_block = -1;         // of the description; -1: static
+  bool moves = false;             // while the shutter is open, it may differ from what it is at the frame's moment
+  bool is_catcher = false;        // of shadows
+  const ShapeUse* use = nullptr;  // its medium_interface says what it parts
   const ObjectUse* instance = nullptr;   // null: it is no instance's
   int alpha = -1, alpha_state = 0;       // of Looks::number; -1: no holes
   bool nowhere = false;                  // a hole everywhere: no ray can meet it
@@ -57,8 +58,10 @@ struct Emitter : EmissionUse {
   bool is_hidden = false;   // a hole everywhere, in all frames: its light is there, but cannot be seen
 };
 
-/// Returns whether the shape is there in any of the first `frames` frames.
-inline bool is_there(const WorldShape& shape, int frames) { return shape.present.any(FileFrame(0), FileFrame(frames)); }
+/// Returns whether the shape is there in any of the first `frames` frames, or parts media.
+inline bool is_there(const WorldShape& shape, int frames) {
+  return shape.present.any(FileFrame(0), FileFrame(frames)) || shape.only_parts.any(FileFrame(0), FileFrame(frames));
+}
 
 class Geometry {
  public:

@@ -67,8 +67,9 @@ void Geometry::read(std::span<const FileFrame> frames) {
 bool Geometry::is_wanted(const Unread& mesh, std::span<const FileFrame> frames) const {
   return std::any_of(mesh.uses.begin(), mesh.uses.end(), [&](const Unread::Use& use) {
     const WorldShape& shape = shapes_[use.shape];
-    return shape.is_unread &&
-           std::any_of(frames.begin(), frames.end(), [&](FileFrame f) { return shape.present.contains(f); });
+    return shape.is_unread && std::any_of(frames.begin(), frames.end(), [&](FileFrame f) {
+             return shape.present.contains(f) || shape.only_parts.contains(f);
+           });
   });
 }
 

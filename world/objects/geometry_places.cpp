@@ -29,6 +29,12 @@ bool pictures_move(const SceneDescription& description) {
          });
 }
 
+/// Returns whether different media lie inside and outside of the shape.
+bool parts_media(const SceneDescription& description, const ShapeUse& use) {
+  return use.medium_interface >= 0 &&
+         description.medium_interfaces[static_cast<std::size_t>(use.medium_interface)].parts();
+}
+
 Timeline<Matrix4> placements(const ShapeUse& use, const ObjectUse* instance, const FileFrames& frames,
                              const std::vector<bool>& present) {
   return Timeline<Matrix4>::of_moments(
@@ -106,8 +112,9 @@ std::vector<int> Geometry::only_matrices(const Timeline<Place>& places, std::siz
 struct Geometry::Placement {
   struct OfMade {
     std::vector<Place> states;
-    std::vector<FrameRanges> seen;  // by state
-    std::vector<int> only;          // by geometry, see only_matrices
+    std::vector<FrameRanges> seen;        // by state
+    std::vector<FrameRanges> only_parts;  // likewise, see WorldShape
+    std::vector<int> only;                // by geometry, see only_matrices
   };
   std::vector<Matrix4> matrices;
   std::vector<OfMade> made;
@@ -130,10 +137,16 @@ Geometry::Placement Geometry::placement(const ShapeUse& use, const ObjectUse* in
   for (std::size_t i = 0; i < source.materials.size(); ++i) {
     const Timeline<Place> places = places_of(source, matrices, present, i);
     Placement::OfMade made{places.states, std::vector<FrameRanges>(places.states.size()),
+                           std::vector<FrameRanges>(places.states.size()),
                            only_matrices(places, source.geometry.shapes.size(), description_.frames.base().count())};
-    for (FileFrame f(0); f.slot() < present.size(); ++f)
-      if (const int state = places.at(f); state >= 0 && is_seen(source.materials[i], f))
-        made.seen[static_cast<std::size_t>(state)].add(f);
+    for (FileFrame f(0); f.slot() < present.size(); ++f) {
+      if (places.at(f) < 0) continue;
+      const auto state = static_cast<std::size_t>(places.at(f));
+      if (is_seen(source.materials[i], f))
+        made.seen[state].add(f);
+      else if (parts_media(description_, use))
+        made.only_parts[state].add(f);
+    }
     placement.made.push_back(std::move(made));
   }
   return placement;
@@ -173,7 +186,7 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
       }
       WorldShape& world = shapes_.emplace_back();
       world.use = &use, world.instance = instance;
-      world.present = made.seen[p];
+      world.present = made.seen[p], world.only_parts = made.only_parts[p];
       world.shape = shape, world.placed.shape = shape.get();
       world.placed.to_world = to_world;
       world.placed.to_world_is_identity = to_world.is_identity();

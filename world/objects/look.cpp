@@ -9,10 +9,13 @@ const std::vector<MaterialUse>& replacements(const Variation& variation, const M
 const std::vector<TextureUse>& replacements(const Variation& variation, const TextureUse&) {
   return variation.textures;
 }
+const std::vector<MediumUse>& replacements(const Variation& variation, const MediumUse&) { return variation.media; }
 
 Definition::Use use_of(const MaterialUse& use) { return {&use, nullptr}; }
 Definition::Use use_of(const TextureUse& use) { return {&use, &use.world_from_texture}; }
+Definition::Use use_of(const MediumUse& use) { return {&use, &use.world_from_medium}; }
 
+bool replaces(const MediumUse& use, const MediumUse& own) { return use.name == own.name; }
 bool replaces(const MaterialUse& use, const MaterialUse& own) { return !own.name.empty() && use.name == own.name; }
 bool replaces(const TextureUse& use, const TextureUse& own) {
   return !own.name.empty() && use.name == own.name && use.is_spectrum == own.is_spectrum;
@@ -43,5 +46,6 @@ Definition definition(const SceneDescription& scene, const AnyUse& own) {
 
 Definition definition_of(const SceneDescription& scene, const MaterialUse& own) { return definition(scene, own); }
 Definition definition_of(const SceneDescription& scene, const TextureUse& own) { return definition(scene, own); }
+Definition definition_of(const SceneDescription& scene, const MediumUse& own) { return definition(scene, own); }
 
 }  // namespace dspm

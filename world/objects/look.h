@@ -31,6 +31,7 @@ struct Definition {
 /// Returns the definition of a name. If two axes replace it, the later one wins.
 Definition definition_of(const SceneDescription& scene, const MaterialUse& own);
 Definition definition_of(const SceneDescription& scene, const TextureUse& own);
+Definition definition_of(const SceneDescription& scene, const MediumUse& own);
 
 template <class T>
 struct Look;

@@ -1,4 +1,4 @@
-// The bodies that a point or a segment of a path lies in.
+// The bodies and the medium that a point or a segment of a path lies in.
 #pragma once
 
 #include <algorithm>
@@ -8,14 +8,18 @@
 
 namespace dspm {
 
-inline constexpr int kNoBody = -1;
+inline constexpr int kNoBody = -1, kNoMedium = -1;
 
-/// A list of bodies, by their materials, in the order in which a path has entered them. It is a value. A path that
-/// enters too many forgets the outermost, and learns of it again when it arrives at its surface from within.
+/// A list of bodies, by their materials, in the order in which a path has entered them, and one medium. It is a value. A
+/// path that enters too many bodies forgets the outermost, and learns of it again when it arrives at its surface from
+/// within.
 class Inside {
  public:
   static constexpr int kMost = 6;
 
+  int medium = kNoMedium;  // into Scene::media
+
+  /// Returns whether it lies in no body.
   bool is_empty() const { return count_ == 0; }
   std::span<const int> bodies() const { return {bodies_.data(), static_cast<std::size_t>(count_)}; }
   bool contains(int body) const { return std::find(begin(), end(), body) != end(); }
@@ -34,9 +38,10 @@ class Inside {
   }
 
   friend bool operator==(const Inside& a, const Inside& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end());
+    return a.medium == b.medium && std::equal(a.begin(), a.end(), b.begin(), b.end());
   }
   friend auto operator<=>(const Inside& a, const Inside& b) {
+    if (const auto order = a.medium <=> b.medium; order != 0) return order;
     return std::lexicographical_compare_three_way(a.begin(), a.end(), b.begin(), b.end());
   }
 

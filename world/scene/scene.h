@@ -15,35 +15,14 @@
 #include "dspm/cameras/camera.h"
 #include "dspm/lights/light.h"
 #include "dspm/materials/material.h"
+#include "dspm/world/scene/frame_states.h"
 #include "dspm/world/scene/inside.h"
 #include "dspm/world/scene/light_samples.h"
+#include "dspm/world/scene/scene_media.h"
 
 namespace dspm {
 
 class NearbyMoments;
-
-/// An element that may change from frame to frame: an object per distinct state. In frames of no state there is none.
-template <class T>
-struct FrameStates {
-  struct State {
-    FrameSet frames;
-    std::shared_ptr<const T> object;
-  };
-  std::vector<State> states;
-
-  /// Returns whether these frames are in more than one state, or the element exists in only some of them.
-  bool differs_in(FrameSet frames) const {
-    for (const State& s : states)
-      if (!(s.frames & frames).empty()) return !s.frames.contains(frames);
-    return false;
-  }
-  /// Calls fn(FrameSet, const T&) for each state that applies in some of `frames`.
-  template <class Fn>
-  void for_each(FrameSet frames, Fn&& fn) const {
-    for (const State& s : states)
-      if (const FrameSet common = s.frames & frames; !common.empty()) fn(common, *s.object);
-  }
-};
 
 /// A factor by which frames differ from others.
 struct FrameFactor {
@@ -69,7 +48,9 @@ struct SceneLight {
   /// The shares of the file's frames with this light, by Scene::light_choices; they add up to 1. Weights take the
   /// density of a photon's start as the mean with these shares.
   std::vector<float> choice_shares;
-  int group = 0;  // into Scene::light_groups
+  int group = 0;               // into Scene::light_groups
+  MediumInterface media = {};  // of its surface; without one, it is outside
+  bool is_drowned = false;     // infinitely far away, beyond a medium without end: none of its light arrives
 };
 
 struct ChosenLight {
@@ -97,9 +78,9 @@ class LightChoice {
 
 /// A scene element made by a plugin, for messages.
 struct SceneElement {
-  enum class Kind { camera, shape, material, light };
+  enum class Kind { camera, shape, material, light, medium };
   Kind kind;
-  int index = 0;  // into the scene's shapes, materials or lights
+  int index = 0;  // into the scene's shapes, materials, lights or media
   friend bool operator==(const SceneElement&, const SceneElement&) = default;
 };
 
@@ -116,8 +97,12 @@ class Scene {
   std::span<const std::string> material_names;  // distinct
   /// By material: whether its shapes bound a body in some frame. Empty if no path needs to know the bodies around it.
   std::vector<bool> bounds_bodies;
-  bool nests = false;  // bodies differ in priority: where they overlap, one of them is not there
-  /// The bodies that the camera lies in; the sets are disjoint, and cover all frames if there are any.
+  bool nests = false;                       // bodies differ in priority: where they overlap, one of them is not there
+  std::vector<SceneMedium> media;           // empty: light meets nothing between surfaces
+  std::vector<MediumInterface> interfaces;  // distinct ones of surfaces
+  std::vector<int> interface_of;            // by shape: into `interfaces`; -1: the same medium on both sides
+  std::unique_ptr<const MediumBoundaries> boundaries;  // null: none
+  /// The bodies and the medium that the camera lies in; the sets are disjoint, and cover all frames if there are any.
   struct AroundCamera {
     FrameSet frames;
     Inside inside;
@@ -145,6 +130,12 @@ class Scene {
   /// Returns the material if its shapes bound a body that paths need to know, else kNoBody.
   int body_of(int material) const {
     return !bounds_bodies.empty() && bounds_bodies[static_cast<std::size_t>(material)] ? material : kNoBody;
+  }
+  /// Returns what media the shape parts; null if it lies within one, or within none.
+  const MediumInterface* interface_at(int shape) const {
+    if (interface_of.empty()) return nullptr;
+    const int index = interface_of[static_cast<std::size_t>(shape)];
+    return index < 0 ? nullptr : &interfaces[static_cast<std::size_t>(index)];
   }
   /// Returns the surface where a ray of that direction hit.
   SurfacePoint surface_point(const RayHit& hit, const Vec3& direction) const {

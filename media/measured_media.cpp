@@ -1,5 +1,9 @@
 // Scattering and absorption of media, as published; the names are pbrt's.
-#include "dspm/materials/measured_media.h"
+#include "dspm/media/measured_media.h"
+
+#include <vector>
+
+#include "dspm/base/params/errors.h"
 
 namespace dspm {
 namespace {
@@ -59,5 +63,18 @@ constexpr MeasuredMedium kMedia[] = {
 }  // namespace
 
 std::span<const MeasuredMedium> measured_media() { return kMedia; }
+
+const MeasuredMedium* find_measured_medium(ParamReader& reader, std::string_view param, const std::string& name) {
+  std::vector<std::string> names;
+  for (const MeasuredMedium& medium : kMedia) {
+    if (medium.name == name) return &medium;
+    names.emplace_back(medium.name);
+  }
+  std::string all;
+  for (const std::string& each : names) all += (all.empty() ? "" : ", ") + each;
+  const std::string guess = did_you_mean(name, names);
+  reader.error(param, "there is no measured medium \"" + name + "\"", guess.empty() ? "available: " + all : guess);
+  return nullptr;
+}
 
 }  // namespace dspm

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
+
+#include "dspm/base/params/params.h"
 
 namespace dspm {
 
@@ -14,5 +17,8 @@ struct MeasuredMedium {
 };
 
 std::span<const MeasuredMedium> measured_media();
+
+/// Returns the medium of that name, the value of the reader's parameter `param`; null after an error.
+const MeasuredMedium* find_measured_medium(ParamReader& reader, std::string_view param, const std::string& name);
 
 }  // namespace dspm

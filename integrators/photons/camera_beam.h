@@ -1,0 +1,34 @@
+// Segments of camera paths in media: what they see is the light that photons along them scatter towards the camera. [Jarosz,
+// Zwicker and Jensen 2008, The Beam Radiance Estimate]
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/base/math/ray.h"
+#include "dspm/integrators/transport/strand.h"
+
+namespace dspm {
+
+struct CameraBeam {
+  Ray ray;           // from the camera path's last vertex or boundary
+  float begin, end;  // the part of it, in one state of the medium
+  Rgb throughput;    // where the ray begins
+  FrameSet frames;
+  StrandList strands = 0;  // in the tile's table
+  int pixel;
+  bool caught = false;
+  int medium;                               // into the scene's
+  float radius;                             // initial, where the ray begins: see HitPoint
+  float spread;                             // added to it per unit of length
+  float most;                               // but it is no larger than this
+  Rgb left;                                 // of light that has come from `begin` to the ray's origin
+  Rgb sigma_t;                              // if the medium is the same everywhere; else black
+  std::uint32_t first_step = 0, steps = 0;  // of the tile's, if it varies: see MediumSection
+
+  float radius_at(float t) const { return std::min(most, std::abs(radius + spread * t)); }
+};
+
+}  // namespace dspm

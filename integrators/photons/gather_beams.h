@@ -1,0 +1,51 @@
+// The light that photons in media scatter along camera beams.
+#pragma once
+
+#include <array>
+
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/integrators/photons/gather.h"
+#include "dspm/integrators/photons/hit_point_tile.h"
+#include "dspm/integrators/photons/medium_photons.h"
+
+namespace dspm {
+
+/// Calls fn(FrameSet, radiance) with what the photons around the beam send along its camera path, per emitted photon path;
+/// the sets are disjoint, and frames without photons are left out. `scale` is that of the iteration's radii. Only photons of
+/// wanted(light) count.
+template <class Wanted, class Fn>
+void gather_beam(const CameraBeam& beam, const HitPointTile& tile, const MediumPhotons& photons, float scale,
+                 GatherCounts& counts, Wanted&& wanted, Fn&& fn) {
+  counts.gathers.add(beam.frames.count());
+  SharedCount within;
+  Rgb shared;
+  std::array<Rgb, kMaxFrames> own;
+  FrameSet with_shared, with_own;
+  const MediumSection section = tile.section_of(beam);
+  const auto add = [&](FrameSet frames, const Rgb& radiance) {
+    if (frames == beam.frames) return with_shared = frames, static_cast<void>(shared += radiance);
+    (frames - with_own).for_each([&](Frame f) { own[static_cast<std::size_t>(f)] = {}; });
+    with_own |= frames;
+    frames.for_each([&](Frame f) { own[static_cast<std::size_t>(f)] += radiance; });
+  };
+  counts.tests += photons.for_each_along(
+      beam, scale, [&](const MediumPhoton& photon, const Strand* strands, float t, float radius2) {
+        const FrameSet frames = photon.frames & beam.frames;
+        within.add(frames.count());
+        if (frames.empty() || !wanted(photon.light)) return;
+        const float phase = photon.phase.pdf_w(photon.w, -beam.ray.direction);
+        const Rgb radiance = photon.flux * section.left_at(t) * (phase / kernel_size(radius2));
+        for_each_strand(strands, frames, [&](FrameSet alike, const Rgb& weight) { add(alike, radiance * weight); });
+      });
+  counts.found += within;
+  for_each_strand(tile.strands.of(beam.strands), with_shared | with_own, [&](FrameSet alike, const Rgb& weight) {
+    const Rgb factor = beam.throughput * weight;
+    if (const FrameSet others = (alike & with_shared) - with_own; !others.empty()) fn(others, shared * factor);
+    (alike & with_own).for_each([&](Frame f) {
+      fn(FrameSet::single(f), (shared + own[static_cast<std::size_t>(f)]) * factor);
+    });
+  });
+}
+
+}  // namespace dspm

@@ -1,0 +1,80 @@
+#include "dspm/integrators/transport/medium_flight.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dspm {
+namespace {
+
+constexpr int kColour = 1 << 19, kFirstNumber = kColour + 1;  // apart from the numbers of walks
+
+Rgb left_after(const Rgb& depth) { return {std::exp(-depth.r), std::exp(-depth.g), std::exp(-depth.b)}; }
+
+float mean(const Rgb& c) { return (c.r + c.g + c.b) / 3; }
+
+template <class T, class Predicate>
+void erase_if(FrameArray<T>& array, Predicate&& predicate) {
+  array.shrink(static_cast<std::size_t>(std::remove_if(array.begin(), array.end(), predicate) - array.begin()));
+}
+
+}  // namespace
+
+bool Flying::weigh(const Rgb& density) {
+  const Rgb shares = share * density;
+  const float all = mean(shares);
+  if (!(all > 0)) return false;
+  share = shares / all, weight *= density / all;
+  return true;
+}
+
+MediumFlight::MediumFlight(const Scene& scene, const PathState& path, FrameSet frames, const Majorants& majorants)
+    : path_(path),
+      colour_(std::min(2, static_cast<int>(3 * path.random.number(0, kColour)))),
+      numbers_(path.flights.numbers),
+      collisions_(majorants, path.ray, colour_) {
+  scene.media[static_cast<std::size_t>(path.inside.medium)].states.for_each(
+      frames, [&](FrameSet common, const Medium& medium) {
+        flying_.add({common, &medium, Rgb(1), path.flights.share});
+      });
+}
+
+bool MediumFlight::meet(float distance) {
+  colliding_.shrink(0), glowing_.shrink(0);
+  const auto number = [&] { return path_.random.number(path_.bounces, kFirstNumber + numbers_++); };
+  const bool met = collisions_.advance(distance, number);
+  const Rgb left = left_after(collisions_.depth());
+  if (!met) {
+    erase_if(flying_, [&](Flying& each) { return !each.weigh(left); });
+    return false;
+  }
+  const Vec3 p = path_.ray.at(collisions_.distance());
+  const Rgb& majorant = collisions_.majorant();
+  const float u = number();
+  for (Flying& each : flying_) {
+    const MediumProperties here = each.medium->at(p);
+    if (max_component(here.emitted) > 0)
+      glowing_.add({each.frames, each.weight * left * here.emitted / mean(each.share * left * majorant)});
+    const Rgb sigma_t = here.sigma_t();
+    const bool collides = u * majorant[colour_] < sigma_t[colour_];
+    Rgb density;
+    for (int c = 0; c < 3; ++c)
+      density[c] = left[c] * (collides ? sigma_t[c] : std::max(0.f, majorant[c] - sigma_t[c]));
+    if (!each.weigh(density)) {
+      each.frames = {};
+    } else if (collides) {
+      Rgb albedo;
+      for (int c = 0; c < 3; ++c) albedo[c] = sigma_t[c] > 0 ? here.sigma_s[c] / sigma_t[c] : 0;
+      colliding_.add({each, albedo, here.g});
+      each.frames = {};
+    }
+  }
+  erase_if(flying_, [](const Flying& each) { return each.frames.empty(); });
+  return true;
+}
+
+void MediumFlight::land(FrameSet frames) {
+  for (Flying& each : flying_) each.frames = each.frames - frames;
+  erase_if(flying_, [](const Flying& each) { return each.frames.empty(); });
+}
+
+}  // namespace dspm

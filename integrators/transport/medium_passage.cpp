@@ -1,0 +1,80 @@
+#include "dspm/integrators/transport/medium_passage.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dspm {
+namespace {
+
+constexpr int kFirstNumber = 1 << 20;  // apart from those of walks and flights
+
+Rgb left_after(const Rgb& sigma_t, float distance) {
+  Rgb left;
+  for (int c = 0; c < 3; ++c) left[c] = sigma_t[c] > 0 ? std::exp(-sigma_t[c] * distance) : 1;
+  return left;
+}
+
+}  // namespace
+
+float SegmentNumbers::next() { return random.number(bounce, kFirstNumber + used++); }
+
+Rgb MediumSection::left_at(float t) const {
+  if (steps.empty()) return left * left_after(sigma_t, t - begin);
+  const auto after =
+      std::upper_bound(steps.begin(), steps.end(), t, [](float at, const MediumStep& step) { return at < step.t; });
+  return after == steps.begin() ? left : std::prev(after)->left;
+}
+
+MediumPassage::MediumPassage(const Medium& medium, const Majorants& majorants, const Ray& ray, SegmentNumbers& numbers,
+                             std::vector<MediumStep>& steps)
+    : medium_(medium),
+      everywhere_(medium.everywhere()),
+      ray_(ray),
+      numbers_(numbers),
+      steps_(steps),
+      collisions_(majorants, ray, TentativeCollisions::kLargest) {}
+
+MediumSection MediumPassage::advance(float end) {
+  MediumSection section{t_, end, left_, {}, {}, {}};
+  const std::size_t first = steps_.size();
+  if (everywhere_) {
+    section.sigma_t = everywhere_->sigma_t();
+    section.glow = pass_evenly(*everywhere_, end - t_);
+  } else {
+    section.glow = pass_by_steps(end);
+    section.steps = std::span(steps_).subspan(first);
+  }
+  t_ = end;
+  return section;
+}
+
+/// Emission e that is left after it has passed the rest of a way of length s: e (1 - exp(-sigma_t s)) / sigma_t.
+Rgb MediumPassage::pass_evenly(const MediumProperties& medium, float length) {
+  const Rgb sigma_t = medium.sigma_t(), after = left_after(sigma_t, length);
+  Rgb glow;
+  for (int c = 0; c < 3; ++c)
+    if (medium.emitted[c] > 0)
+      glow[c] = left_[c] * medium.emitted[c] * (sigma_t[c] > 0 ? (1 - after[c]) / sigma_t[c] : length);
+  left_ *= after;
+  return glow;
+}
+
+/// Collisions are drawn by the largest of the colours' majorants: what each of them leaves is a factor. What is faint plays
+/// roulette.
+Rgb MediumPassage::pass_by_steps(float end) {
+  constexpr float kFaint = 0.05f, kSurvival = 0.25f;
+  const auto number = [&] { return numbers_.next(); };
+  Rgb glow;
+  while (!is_black(left_) && collisions_.advance(end, number)) {
+    const MediumProperties here = medium_.at(ray_.at(collisions_.distance()));
+    const Rgb sigma_t = here.sigma_t();
+    const float largest = max_component(collisions_.majorant());
+    glow += left_ * here.emitted / largest;
+    for (int c = 0; c < 3; ++c) left_[c] *= std::max(0.f, 1 - sigma_t[c] / largest);
+    if (max_component(left_) < kFaint) left_ = number() < kSurvival ? left_ / kSurvival : Rgb();
+    steps_.push_back({collisions_.distance(), left_});
+  }
+  return glow;
+}
+
+}  // namespace dspm

@@ -1,0 +1,68 @@
+// The passage of light along a ray through one state of a medium, without a collision: what is left of it at each point. In a
+// medium that varies this is an estimate by ratio tracking, without bias at each point. [Novák et al. 2014, Residual Ratio
+// Tracking]
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/ray.h"
+#include "dspm/base/math/rng.h"
+#include "dspm/media/majorants.h"
+#include "dspm/media/medium.h"
+
+namespace dspm {
+
+/// The numbers of a path's bounce, for segments between two points.
+struct SegmentNumbers {
+  const PathRandom& random;
+  int bounce;
+  int used = 0;  // of them
+
+  float next();
+};
+
+/// From `t` on, `left` of the light is left, up to the next step.
+struct MediumStep {
+  float t;
+  Rgb left;
+};
+
+/// A part of a ray in a medium.
+struct MediumSection {
+  float begin, end;                   // along the ray
+  Rgb left;                           // of light at `begin`
+  Rgb sigma_t;                        // if the medium is the same everywhere; else black
+  std::span<const MediumStep> steps;  // if it varies
+  Rgb glow;                           // radiance that the medium adds, as it is left at the ray's origin
+
+  /// Returns what is left at a distance within the section.
+  Rgb left_at(float t) const;
+};
+
+class MediumPassage {
+ public:
+  /// `steps` keeps the steps of all sections, until it is cleared.
+  MediumPassage(const Medium& medium, const Majorants& majorants, const Ray& ray, SegmentNumbers& numbers,
+                std::vector<MediumStep>& steps);
+
+  /// Goes on to `end`. The section's steps hold until the next call.
+  MediumSection advance(float end);
+  const Rgb& left() const { return left_; }
+
+ private:
+  Rgb pass_evenly(const MediumProperties& medium, float length);
+  Rgb pass_by_steps(float end);
+
+  const Medium& medium_;
+  const std::optional<MediumProperties> everywhere_;
+  const Ray& ray_;
+  SegmentNumbers& numbers_;
+  std::vector<MediumStep>& steps_;
+  TentativeCollisions collisions_;
+  float t_ = 0;
+  Rgb left_{1};
+};
+
+}  // namespace dspm

@@ -1,0 +1,43 @@
+// A path's collision with a medium.
+#pragma once
+
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/frame_array.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/base/math/ray.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/media/henyey_greenstein.h"
+#include "dspm/world/scene/scene.h"
+
+namespace dspm {
+
+/// A collision, in the frames that meet the medium at the same point. It is a place that is lit, as a Vertex is.
+struct MediumVertex {
+  /// How the medium scatters light there in some of the frames.
+  struct State {
+    FrameSet frames;
+    Rgb albedo;
+    HenyeyGreenstein phase;
+  };
+
+  Vec3 point;
+  Vec3 wo;         // back along the path, unit length
+  float distance;  // of the path's segment
+  int medium;      // into Scene::media
+  FrameArray<State> states;
+
+  FrameSet frames() const {
+    FrameSet all;
+    for (const State& state : states) all |= state.frames;
+    return all;
+  }
+
+  const Vec3& p() const { return point; }
+  LightReceiver receiver() const { return {point, Vec3{}}; }
+  float cosine(const Vec3&) const { return 1; }
+  Ray spawn(const Vec3& w) const { return {point, w}; }
+  Inside inside_beyond(const Inside& arriving, const Vec3&) const { return arriving; }
+  SceneElement scatterer() const { return {SceneElement::Kind::medium, medium}; }
+};
+
+}  // namespace dspm

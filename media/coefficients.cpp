@@ -1,0 +1,45 @@
+#include "dspm/media/coefficients.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "dspm/media/measured_media.h"
+
+namespace dspm {
+
+Coefficients read_coefficients(ParamReader& reader, const Rgb& sigma_a, const Rgb& sigma_s) {
+  Coefficients read;
+  const std::string preset = reader.text("preset", "", "a measured medium such as \"Wholemilk\", per millimetre");
+  read.sigma_a = reader.rgb("sigma_a", sigma_a, SpectrumRole::unbounded, "absorption per unit of length in the world");
+  read.sigma_s = reader.rgb("sigma_s", sigma_s, SpectrumRole::unbounded, "scattering per unit of length in the world");
+  const float scale = reader.number("scale", 1, "", "multiplies both");
+  read.g = reader.number("g", 0, "", "mean cosine of scattering, between -1 (back) and 1 (on)");
+  if (!preset.empty()) {
+    if (reader.has("sigma_a") || reader.has("sigma_s"))
+      reader.error("preset", "\"preset\" and \"sigma_a\" or \"sigma_s\" say the same twice", "remove one of them");
+    if (const MeasuredMedium* medium = find_measured_medium(reader, "preset", preset)) {
+      read.sigma_a = {medium->sigma_a[0], medium->sigma_a[1], medium->sigma_a[2]};
+      read.sigma_s = {medium->sigma_s[0], medium->sigma_s[1], medium->sigma_s[2]};
+    }
+  }
+  const auto expect_no_less = [&](const char* name, const Rgb& value) {
+    if (!(value.r >= 0 && value.g >= 0 && value.b >= 0))
+      reader.error(name, std::string("\"") + name + "\" of " + reader.subject() + " must not be negative");
+  };
+  expect_no_less("sigma_a", read.sigma_a), expect_no_less("sigma_s", read.sigma_s), expect_no_less("scale", Rgb(scale));
+  if (!(std::abs(read.g) < 1)) reader.error("g", "\"g\" of " + reader.subject() + " must be between -1 and 1");
+  read.sigma_a *= scale, read.sigma_s *= scale;
+  return read;
+}
+
+Rgb read_emission(ParamReader& reader) {
+  const Rgb colour = reader.rgb("Le", Rgb(0), SpectrumRole::illuminant, "radiance that what absorbs gives off");
+  const float scale = reader.number("Lescale", 1, "", "multiplies Le");
+  const Rgb emission = colour * scale;
+  if (!(emission.r >= 0 && emission.g >= 0 && emission.b >= 0))
+    reader.error("Lescale", "\"Le\" and \"Lescale\" of " + reader.subject() + " must not be negative");
+  return emission;
+}
+
+}  // namespace dspm

@@ -1,0 +1,21 @@
+// The parameters that media have in common.
+#pragma once
+
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/params/params.h"
+
+namespace dspm {
+
+/// Absorption and scattering per unit of length, where the density is 1.
+struct Coefficients {
+  Rgb sigma_a, sigma_s;
+  float g = 0;
+};
+
+/// Reads "preset", "sigma_a", "sigma_s", "scale" and "g".
+Coefficients read_coefficients(ParamReader& reader, const Rgb& sigma_a, const Rgb& sigma_s);
+
+/// Reads "Le" and "Lescale": the radiance that what absorbs gives off.
+Rgb read_emission(ParamReader& reader);
+
+}  // namespace dspm

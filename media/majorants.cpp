@@ -1,0 +1,106 @@
+#include "dspm/media/majorants.h"
+
+#include <algorithm>
+
+namespace dspm {
+namespace {
+
+constexpr int kMostCells = 32;  // along the longest axis
+
+float component(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+float& component(Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+
+Rgb largest(const Rgb& a, const Rgb& b) { return {std::max(a.r, b.r), std::max(a.g, b.g), std::max(a.b, b.b)}; }
+
+}  // namespace
+
+Majorants::Majorants(std::span<const Medium* const> states) {
+  for (const Medium* state : states) {
+    if (const auto extent = state->extent())
+      extent_.add(*extent);
+    else
+      everywhere_ = true;
+  }
+  if (everywhere_) extent_ = {{-kInfinity, -kInfinity, -kInfinity}, {kInfinity, kInfinity, kInfinity}};
+  const Vec3 size = extent_.extent();
+  const float longest = std::max({size.x, size.y, size.z});
+  for (int axis = 0; axis < 3 && !everywhere_ && !extent_.empty(); ++axis) {
+    const float cells = std::ceil(kMostCells * component(size, axis) / longest);
+    counts_[static_cast<std::size_t>(axis)] = std::clamp(static_cast<int>(cells), 1, kMostCells);
+  }
+  const auto plane = [&](int axis, int i) {
+    const int count = counts_[static_cast<std::size_t>(axis)];
+    if (i == 0) return component(extent_.low, axis);
+    if (i == count) return component(extent_.high, axis);
+    return component(extent_.low, axis) + component(size, axis) * static_cast<float>(i) / static_cast<float>(count);
+  };
+  for (int z = 0; z < counts_[2]; ++z)
+    for (int y = 0; y < counts_[1]; ++y)
+      for (int x = 0; x < counts_[0]; ++x) {
+        const Bounds3 box{{plane(0, x), plane(1, y), plane(2, z)}, {plane(0, x + 1), plane(1, y + 1), plane(2, z + 1)}};
+        Rgb most;
+        for (const Medium* state : states) most = largest(most, state->majorant(box));
+        cells_.push_back(most);
+      }
+}
+
+TentativeCollisions::TentativeCollisions(const Majorants& majorants, const Ray& ray, int colour)
+    : majorants_(majorants), ray_(ray), colour_(colour) {
+  if (majorants.everywhere_) return;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float o = component(ray.origin, axis), d = component(ray.direction, axis);
+    const float low = component(majorants.extent_.low, axis), high = component(majorants.extent_.high, axis);
+    if (d == 0) {
+      if (!(o >= low && o <= high)) t_out_ = -1;
+      continue;
+    }
+    const float near = ((d > 0 ? low : high) - o) / d, far = ((d > 0 ? high : low) - o) / d;
+    t_in_ = std::max(t_in_, near), t_out_ = std::min(t_out_, far);
+  }
+}
+
+void TentativeCollisions::enter() {
+  t_ = std::max(t_, t_in_);
+  if (majorants_.everywhere_) {
+    majorant_ = majorants_.cells_.front(), t_cell_ = kInfinity;
+    return;
+  }
+  const Vec3 p = ray_.at(t_), size = majorants_.extent_.extent();
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    const int count = majorants_.counts_[a];
+    const float low = component(majorants_.extent_.low, axis),
+                width = component(size, axis) / static_cast<float>(count);
+    cell_[a] = std::clamp(static_cast<int>((component(p, axis) - low) / width), 0, count - 1);
+    const float d = component(ray_.direction, axis);
+    const float plane = low + width * static_cast<float>(cell_[a] + (d > 0));
+    component(t_next_, axis) = d == 0 ? kInfinity : (plane - component(ray_.origin, axis)) / d;
+  }
+  majorant_ = majorants_.of(cell_);
+  t_cell_ = std::max(t_, std::min({t_next_.x, t_next_.y, t_next_.z, t_out_}));
+}
+
+void TentativeCollisions::enter_next_cell() {
+  const int axis = t_next_.x <= t_next_.y && t_next_.x <= t_next_.z ? 0 : t_next_.y <= t_next_.z ? 1 : 2;
+  const auto a = static_cast<std::size_t>(axis);
+  const float d = component(ray_.direction, axis);
+  cell_[a] += d > 0 ? 1 : -1;
+  if (cell_[a] < 0 || cell_[a] >= majorants_.counts_[a]) {
+    t_out_ = std::min(t_out_, t_);
+    return;
+  }
+  const float width = component(majorants_.extent_.extent(), axis) / static_cast<float>(majorants_.counts_[a]);
+  component(t_next_, axis) += width / std::abs(d);
+  majorant_ = majorants_.of(cell_);
+  t_cell_ = std::max(t_, std::min({t_next_.x, t_next_.y, t_next_.z, t_out_}));
+}
+
+void TentativeCollisions::pass(float to) {
+  const float length = to - t_;
+  if (length > 0)
+    for (int c = 0; c < 3; ++c)
+      if (majorant_[c] > 0) depth_[c] += majorant_[c] * length;
+  t_ = to;
+}
+
+}  // namespace dspm

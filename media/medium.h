@@ -1,0 +1,50 @@
+// A medium says what happens to light between surfaces: fog, smoke, clouds, liquids. Plugins: homogeneous.cpp is the shortest
+// to copy; plugins.cpp is the table.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/transform.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/base/params/params.h"
+#include "dspm/base/params/registry.h"
+
+namespace dspm {
+
+/// What a medium does to light at a point, per unit of length in the world.
+struct MediumProperties {
+  Rgb sigma_a;  // the share that is absorbed
+  Rgb sigma_s;  // the share that is scattered
+  Rgb emitted;  // the radiance that is added
+  float g = 0;  // the mean cosine of scattering, between -1 and 1 [Henyey and Greenstein 1941]
+
+  Rgb sigma_t() const { return sigma_a + sigma_s; }
+};
+
+class Medium {
+ public:
+  virtual ~Medium() = default;
+  /// The properties at a point of the world.
+  virtual MediumProperties at(const Vec3& p) const = 0;
+  /// Returns at least the largest sigma_t in a box of the world, by colour. Paths collide with the medium so often, and more
+  /// of these collisions have no effect the looser the bound is.
+  virtual Rgb majorant(const Bounds3& box) const = 0;
+  /// Returns a box of the world outside of which there is nothing of it; nullopt if it fills all space.
+  virtual std::optional<Bounds3> extent() const { return std::nullopt; }
+  /// Returns whether it gives off light.
+  virtual bool glows() const { return false; }
+  /// Returns the properties if they are the same everywhere: light that is left after a distance is then computed, not
+  /// estimated.
+  virtual std::optional<MediumProperties> everywhere() const { return std::nullopt; }
+};
+
+struct MediumContext {
+  Transform to_world;
+};
+
+using MakeMedium = std::unique_ptr<Medium>(ParamReader&, const MediumContext&);
+PluginTable<Plugin<MakeMedium>>& medium_plugins();
+
+}  // namespace dspm

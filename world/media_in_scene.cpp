@@ -1,0 +1,89 @@
+#include "dspm/world/media_in_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "dspm/base/math/frames.h"
+#include "dspm/world/cameras.h"
+
+namespace dspm {
+
+void add_media(Scene& scene, const Media& media, const Geometry& geometry, const std::vector<const WorldShape*>& there,
+               const std::function<std::unique_ptr<Accel>(std::span<const PlacedShape>)>& make_accel) {
+  scene.media = media.in(scene.file_frames);
+  if (scene.media.empty()) return;
+  scene.interfaces = media.interfaces();
+  const auto parts = [&](int use) {
+    const MediumInterface sides = media.interface(use);
+    return sides.inside != sides.outside;
+  };
+  for (const WorldShape* shape : there) {
+    const int use = shape->use->medium_interface;
+    scene.interface_of.push_back(parts(use) ? use : -1);
+  }
+  auto boundaries = std::make_unique<MediumBoundaries>();
+  for (const WorldShape& shape : geometry.shapes()) {
+    const FrameSet frames = shape.nowhere ? FrameSet() : shape.only_parts.among(scene.file_frames);
+    if (frames.empty() || !parts(shape.use->medium_interface)) continue;
+    PlacedShape& placed = boundaries->shapes.emplace_back(shape.placed);
+    placed.frames = frames, placed.cutout = nullptr;
+    boundaries->interfaces.push_back(media.interface(shape.use->medium_interface));
+  }
+  if (boundaries->shapes.empty()) return;
+  boundaries->accel = make_accel(boundaries->shapes);
+  scene.boundaries = std::move(boundaries);
+}
+
+namespace {
+
+bool is_far(const Scene& scene, const SceneLight& light) {
+  if (light.states.states.empty()) return false;
+  const Light& state = *light.states.states.front().object;
+  const auto lit = state.illuminate(scene.center, {0.5f, 0.5f});
+  return state.is_infinite() || (lit && !std::isfinite(lit->distance));
+}
+
+bool is_endless(const Scene& scene, int medium) {
+  if (medium == kNoMedium) return false;
+  const auto& groups = scene.media[static_cast<std::size_t>(medium)].majorants.states;
+  return std::any_of(groups.begin(), groups.end(), [](const auto& group) { return group.object->is_everywhere(); });
+}
+
+}  // namespace
+
+void add_media_of_lights(Scene& scene, const SceneDescription& description, const Media& media,
+                         const Geometry& geometry) {
+  if (scene.media.empty()) return;
+  const std::size_t directives = scene.lights.size() - geometry.emitters().size();
+  const auto interface_of = [&](std::size_t light) {
+    if (light < directives) return description.lights[light].medium_interface;
+    const Emitter& emitter = geometry.emitters()[light - directives];
+    return geometry.shapes()[static_cast<std::size_t>(emitter.shapes.front())].use->medium_interface;
+  };
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    SceneLight& light = scene.lights[i];
+    const MediumInterface around = media.interface(interface_of(i));
+    const bool far = is_far(scene, light);
+    light.is_drowned = far && is_endless(scene, around.outside);
+    if (!far) light.media = around;
+  }
+}
+
+void add_media_around_camera(Scene& scene, const SceneDescription& description, const Media& media) {
+  if (scene.media.empty()) return;
+  if (scene.around_camera.empty()) scene.around_camera.push_back({scene.frames(), {}});
+  std::map<Inside, FrameSet> places;
+  for (const Scene::AroundCamera& around : scene.around_camera)
+    around.frames.for_each([&](Frame f) {
+      Inside inside = around.inside;
+      const FileFrame frame = scene.file_frames[static_cast<std::size_t>(f)];
+      inside.medium = media.interface(camera_use(description, frame).medium_interface).outside;
+      places[inside] |= FrameSet::single(f);
+    });
+  scene.around_camera.clear();
+  for (const auto& [inside, frames] : places) scene.around_camera.push_back({frames, inside});
+}
+
+}  // namespace dspm

@@ -1,0 +1,165 @@
+#include "dspm/world/objects/media.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "dspm/base/params/params.h"
+#include "dspm/world/objects/in_frame.h"
+#include "dspm/world/objects/likeness.h"
+#include "dspm/world/objects/params_at.h"
+#include "dspm/world/objects/placement_check.h"
+
+namespace dspm {
+namespace {
+
+/// What makes a medium in a frame, before its parameters are evaluated.
+struct Source {
+  Definition::Use use;
+  Moment moment;
+  friend bool operator==(const Source& a, const Source& b) {
+    return a.use.plugin == b.use.plugin && a.moment == b.moment;
+  }
+};
+
+struct State {
+  const PluginUse* use;
+  ParamList params;
+  Matrix4 world_from_medium;
+};
+
+std::shared_ptr<const Medium> make(const State& state, const std::filesystem::path& directory,
+                                   Diagnostics& diagnostics) {
+  const auto* plugin = medium_plugins().find(state.use->type, state.use->type_where, diagnostics);
+  if (plugin == nullptr) return nullptr;
+  ParamReader reader(state.params, fmt::format("medium \"{}\"", state.use->type), state.use->where, diagnostics,
+                     directory);
+  return plugin->make(reader, {Transform(state.world_from_medium)});
+}
+
+std::shared_ptr<const Majorants> majorants_of(const std::vector<const Medium*>& states) {
+  return std::make_shared<const Majorants>(states);
+}
+
+}  // namespace
+
+Media::Media(const SceneDescription& description, Diagnostics& diagnostics)
+    : description_(description), diagnostics_(diagnostics) {
+  for (const MediumUse& use : description.media) add(use);
+  for (const MediumInterfaceUse& use : description.medium_interfaces) {
+    const MediumInterface found{find(use.inside, use.where), find(use.outside, use.where)};
+    used_ = used_ || found.inside != kNoMedium || found.outside != kNoMedium;
+    interfaces_.push_back(found);
+  }
+}
+
+void Media::add(const MediumUse& own) {
+  const FileFrames& frames = description_.frames;
+  OfFile medium{own.name, definition_of(description_, own), {}, {}};
+  const auto sources = Timeline<Source>::of(
+      frames.count(),
+      [&](FileFrame f) {
+        const Definition::Use& use = medium.definition.uses[medium.definition.use_of[frames.combination_of(f)]];
+        return std::optional(Source{use, use.is_keyed() ? frames.moment(f) : Moment()});
+      },
+      [](const Source& a, const Source& b) { return a == b; });
+  const int errors = diagnostics_.error_count();
+  Timeline<State> states;
+  Timeline<State>::Index index;
+  std::vector<int> state_of;
+  for (const Source& source : sources.states)
+    state_of.push_back(states.place(
+        State{source.use.plugin, params_at(source.use.plugin->params, frames, source.moment),
+              source.use.motion->at(source.moment)},
+        index,
+        [](const State& a, const State& b) {
+          return a.use == b.use && a.world_from_medium == b.world_from_medium && a.params.same_values(b.params);
+        },
+        [](const State& state) { return Likeness().add(state.world_from_medium).add(state.params).number(); }));
+  for (const int source : sources.state_of)
+    medium.states.state_of.push_back(state_of[static_cast<std::size_t>(source)]);
+  for (FileFrame f(0); f.index() < frames.count(); ++f) {
+    const State& state = states.states[static_cast<std::size_t>(medium.states.at(f))];
+    if (is_sound(state.world_from_medium)) continue;
+    return report_singular(fmt::format("medium \"{}\"", own.name), in_frame(frames, f), state.use->where, diagnostics_);
+  }
+  for (const State& state : states.states) {
+    medium.states.states.push_back(make(state, description_.main_directory(), diagnostics_));
+    if (diagnostics_.error_count() > errors) return;
+  }
+  // Variations that are added later leave the others' paths as they are.
+  const auto base = static_cast<std::size_t>(medium.states.states_of_first(frames.base().count()));
+  std::vector<const Medium*> common;
+  for (std::size_t i = 0; i < base; ++i) common.push_back(medium.states.states[i].get());
+  const auto of_base = majorants_of(common);
+  for (std::size_t i = 0; i < medium.states.states.size(); ++i) {
+    const Medium& state = *medium.states.states[i];
+    glow_ = glow_ || state.glows();
+    medium.majorants.push_back(i < base ? of_base : majorants_of({&state}));
+  }
+  by_name_.emplace(own.name, static_cast<int>(media_.size()));
+  media_.push_back(std::move(medium));
+}
+
+int Media::find(const std::string& name, const SourceLocation& where) {
+  if (name.empty()) return kNoMedium;
+  if (const auto found = by_name_.find(name); found != by_name_.end()) return found->second;
+  std::vector<std::string> names;
+  for (const MediumUse& use : description_.media) {
+    if (use.name == name) return kNoMedium;  // it has errors of its own
+    names.push_back(use.name);
+  }
+  const std::string guess = did_you_mean(name, names);
+  diagnostics_.error(where, fmt::format("there is no medium named \"{}\"", name),
+                     guess.empty() ? "define it with MakeNamedMedium" : guess);
+  return kNoMedium;
+}
+
+MediumInterface Media::interface(int use) const {
+  return use < 0 ? MediumInterface{} : interfaces_[static_cast<std::size_t>(use)];
+}
+
+std::vector<SceneMedium> Media::in(const std::vector<FileFrame>& frames) const {
+  std::vector<SceneMedium> media;
+  if (!used_) return media;
+  for (const OfFile& medium : media_) {
+    SceneMedium& cut = media.emplace_back();
+    for (std::size_t s = 0; s < medium.states.states.size(); ++s) {
+      const FrameSet set = frames_in_state(medium.states, static_cast<int>(s), frames);
+      if (set.empty()) continue;
+      cut.states.states.push_back({set, medium.states.states[s]});
+      auto& groups = cut.majorants.states;
+      const auto same = std::find_if(groups.begin(), groups.end(),
+                                     [&](const auto& group) { return group.object == medium.majorants[s]; });
+      if (same == groups.end())
+        groups.push_back({set, medium.majorants[s]});
+      else
+        same->frames |= set;
+    }
+  }
+  return media;
+}
+
+std::vector<std::string> Media::explain(std::span<const FileFrame> frames) const {
+  std::vector<std::string> lines;
+  for (const OfFile& medium : media_) {
+    std::set<int> states;
+    for (const FileFrame f : frames) states.insert(medium.states.at(f));
+    if (used_ && states.size() > 1)
+      lines.push_back(fmt::format(
+          "medium \"{}\": {} states over the frames. Photons stay together where it is as dense in all of them; "
+          "camera paths pass through it together, but look for photons once per state.",
+          medium.name, states.size()));
+  }
+  return lines;
+}
+
+const PluginUse& Media::use_of(int medium, FileFrame frame) const {
+  const Definition& definition = media_[static_cast<std::size_t>(medium)].definition;
+  return *definition.uses[definition.use_of[description_.frames.combination_of(frame)]].plugin;
+}
+
+}  // namespace dspm

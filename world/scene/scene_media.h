@@ -1,0 +1,36 @@
+// The media of a scene, and where they begin and end.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "dspm/accel/accel.h"
+#include "dspm/media/majorants.h"
+#include "dspm/media/medium.h"
+#include "dspm/world/scene/frame_states.h"
+#include "dspm/world/scene/inside.h"
+
+namespace dspm {
+
+/// A medium with its states.
+struct SceneMedium {
+  FrameStates<Medium> states;
+  FrameStates<Majorants> majorants;  // one for all frames of the file, but for variations that were added to it
+};
+
+/// The media on both sides of a surface: where its normal points to is outside.
+struct MediumInterface {
+  int inside = kNoMedium, outside = kNoMedium;  // into Scene::media
+
+  int medium_towards(bool is_outside) const { return is_outside ? outside : inside; }
+};
+
+/// Where media begin and end without a surface that scatters light. Only paths in scenes with media ask for them.
+struct MediumBoundaries {
+  std::vector<PlacedShape> shapes;
+  std::vector<MediumInterface> interfaces;  // by shape
+  std::unique_ptr<Accel> accel;
+};
+
+}  // namespace dspm
