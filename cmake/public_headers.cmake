@@ -55,7 +55,8 @@ set(toolkit_headers
   integrators/transport/balance.h integrators/transport/body.h integrators/transport/branching_path.h
   integrators/transport/camera_path.h integrators/transport/direct_light.h integrators/transport/joint_path.h
   integrators/transport/left_in_media.h integrators/transport/light_value.h integrators/transport/medium_boundary.h
-  integrators/transport/medium_flight.h integrators/transport/medium_passage.h integrators/transport/medium_vertex.h
+  integrators/transport/medium_flight.h integrators/transport/medium_passage.h integrators/transport/medium_segment.h
+  integrators/transport/medium_vertex.h
   integrators/transport/nesting.h integrators/transport/path_step.h
   integrators/transport/shape_face.h integrators/transport/strand.h integrators/transport/strip_place.h
   integrators/transport/walk.h

@@ -17,6 +17,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/base/params/params.h"
 #include "dspm/media/coefficients.h"
 #include "dspm/media/medium.h"
 #include "dspm/media/medium_box.h"

@@ -12,6 +12,9 @@
 // | Lescale          | 1                     | multiplies Le |
 //
 // [Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., 11.4]
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/base/params/params.h"
 #include "dspm/media/coefficients.h"
 #include "dspm/media/medium.h"
 

@@ -19,6 +19,9 @@
 #include <utility>
 #include <vector>
 
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/base/params/params.h"
 #include "dspm/media/grid_params.h"
 #include "dspm/media/medium.h"
 #include "dspm/media/medium_box.h"

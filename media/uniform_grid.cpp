@@ -23,6 +23,9 @@
 #include <cstdint>
 #include <utility>
 
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/base/params/params.h"
 #include "dspm/media/coefficients.h"
 #include "dspm/media/glow.h"
 #include "dspm/media/grid_params.h"

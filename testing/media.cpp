@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/ray.h"
 #include "dspm/base/math/rng.h"
 #include "dspm/base/math/sampling.h"
+#include "dspm/base/math/vec.h"
 #include "dspm/media/majorants.h"
 #include "dspm/testing/test_scene.h"
 

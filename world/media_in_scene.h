@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "dspm/accel/accel.h"
 #include "dspm/lang/description.h"
 #include "dspm/world/objects/geometry.h"
 #include "dspm/world/objects/media.h"

@@ -1,4 +1,5 @@
 // The table of integrators: one line for each.
+#include "dspm/base/math/frames.h"
 #include "dspm/integrators/integrator.h"
 
 namespace dspm {

@@ -8,6 +8,7 @@
 #include "dspm/integrators/max_depth.h"
 #include "dspm/integrators/photons/shares_of_light.h"
 #include "dspm/integrators/pixel_count.h"
+#include "dspm/world/scene/scene.h"
 
 namespace dspm {
 

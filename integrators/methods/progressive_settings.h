@@ -7,6 +7,7 @@
 #include "dspm/integrators/integrator.h"
 #include "dspm/integrators/photons/trace_hit_points.h"
 #include "dspm/integrators/photons/trace_photons.h"
+#include "dspm/world/scene/scene.h"
 
 namespace dspm {
 

@@ -85,8 +85,14 @@ class HitPointWriter {
     tile_.strips.push_back({StripPlace(vertex.shape, vertex.hit, vertex.wo), point.ns});
   }
 
-  /// Adds the part of the path's segment that the section is.
+  /// Adds the part of the path's segment that the section is, and what the medium there gives off. Photons bring what it
+  /// scatters.
   void add_beam(const CameraPath& path, const MediumSection& section) {
+    if (max_component(section.glow) > 0)
+      see(path, path.frames, section.glow, [&] {
+        return SceneElement{SceneElement::Kind::medium, path.inside.medium};
+      });
+    if (path.bounces >= settings_.max_depth) return;
     const float near = path.camera->pixel_spacing(path.length + path.passed),
                 far = path.camera->pixel_spacing(path.length + path.passed + 1);
     const bool from_footprint = !(settings_.radius > 0);

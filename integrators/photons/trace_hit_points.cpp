@@ -103,14 +103,9 @@ class HitPointTracer {
 
   void lost(const CameraPath& path, FrameSet frames, const SceneElement& giver) { out_.reject(path, frames, giver); }
 
-  /// Photons bring what media scatter. A path that has left a hit point looks for lights alone.
+  /// A path that has left a hit point looks for lights alone.
   void beamed(const CameraPath& path, const MediumSection& section) {
-    if (path.indirect) return;
-    if (max_component(section.glow) > 0)
-      out_.see(path, path.frames, section.glow, [&] {
-        return SceneElement{SceneElement::Kind::medium, path.inside.medium};
-      });
-    if (path.bounces < settings_.max_depth) out_.add_beam(path, section);
+    if (!path.indirect) out_.add_beam(path, section);
   }
 
   void arrived(const CameraPath& path, const Vertex& vertex) {

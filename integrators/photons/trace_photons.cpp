@@ -2,6 +2,7 @@
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/vec.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/integrators/photons/emission_guide.h"
 #include "dspm/integrators/photons/photon_energy.h"
@@ -115,34 +116,25 @@ class PhotonTracer {
     });
   }
 
-  /// Frames that the medium scatters alike, but for colour, go on together.
   void collided(const PhotonPath& path, const MediumVertex& vertex) {
     if (path.bounces == 0 && vertex.distance < started(path).must_reach)
       return balance(path, path.frames, &EnergyBalance::absorbed);
     writer_.store_in_medium(path, started(path), vertex);
-    if (path.bounces + 1 >= settings_.max_depth) {
-      balance(path, path.frames, &EnergyBalance::too_deep);
-      return balance(path, path.frames, &EnergyBalance::terminated);
-    }
-    FrameSet done;
-    for (const MediumVertex::State& first : vertex.states) {
-      if (!(first.frames & done).empty()) continue;
-      FrameArray<FrameFactor> factors;
-      for (const MediumVertex::State& state : vertex.states)
-        if (state.phase == first.phase && (state.frames & done).empty() && (settings_.share_paths || &state == &first))
-          factors.add({state.frames, state.albedo});
-      for (const FrameFactor& factor : factors) done |= factor.frames;
-      scatter(path, vertex, first.phase, std::span<const FrameFactor>(factors));
-    }
+    if (is_too_deep(path, path.frames)) return;
+    for_each_phase(vertex, settings_.share_paths,
+                   [&](const HenyeyGreenstein& phase, std::span<const FrameFactor> albedos) {
+                     PhotonPath& branch = branches_.push(path);
+                     branch.kind = kDiffusePhotons, branch.hidden = false;
+                     extend_ray(branch, vertex, phase.sample(-vertex.wo, path.random.pair(path.bounces, kScatter)));
+                     const float u = path.random.number(path.bounces, kRoulette);
+                     if (!roulette(branch, vertex.scatterer(), albedos, u)) branches_.drop();
+                   });
   }
 
-  void scatter(const PhotonPath& path, const MediumVertex& vertex, const HenyeyGreenstein& phase,
-               std::span<const FrameFactor> factors) {
-    const Vec3 w = phase.sample(-vertex.wo, path.random.pair(path.bounces, kScatter));
-    PhotonPath& branch = branches_.push(path);
-    branch.kind = kDiffusePhotons, branch.hidden = false;
-    extend_ray(branch, vertex, w);
-    if (!roulette(branch, vertex.scatterer(), factors, path.random.number(path.bounces, kRoulette))) branches_.drop();
+  bool is_too_deep(const PhotonPath& path, FrameSet frames) {
+    if (path.bounces + 1 < settings_.max_depth) return false;
+    balance(path, frames, &EnergyBalance::too_deep), balance(path, frames, &EnergyBalance::terminated);
+    return true;
   }
 
   void arrived(const PhotonPath& path, const Vertex& vertex) {
@@ -178,10 +170,7 @@ class PhotonTracer {
   /// Calls fn(const BsdfSample&, rough, factor) unless these frames end.
   template <class Fn>
   void scatter(const PhotonPath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf, Fn&& fn) {
-    if (path.bounces + 1 >= settings_.max_depth) {
-      balance(path, frames, &EnergyBalance::too_deep);
-      return balance(path, frames, &EnergyBalance::terminated);
-    }
+    if (is_too_deep(path, frames)) return;
     // Choose between smooth and rough lobes first, so that a photon knows which of them scattered it.
     const LobeChoice choice = choose_lobes(bsdf, path, vertex, settings_.least_alpha);
     const bool wanted = kind_after(path, choice.rough) == kDiffusePhotons ? (settings_.kinds & kDiffusePhotons) != 0

@@ -12,10 +12,7 @@
 #include "dspm/integrators/statistics.h"
 #include "dspm/integrators/transport/body.h"
 #include "dspm/integrators/transport/joint_path.h"
-#include "dspm/integrators/transport/medium_boundary.h"
-#include "dspm/integrators/transport/medium_flight.h"
-#include "dspm/integrators/transport/medium_passage.h"
-#include "dspm/integrators/transport/medium_vertex.h"
+#include "dspm/integrators/transport/medium_segment.h"
 #include "dspm/integrators/transport/path_step.h"
 #include "dspm/world/scene/scene.h"
 
@@ -29,15 +26,14 @@ namespace dspm {
 ///   void wandered(const Path& before, const Path& after)  optional: what the path carries has changed in a body or a medium
 /// Surfaces that are not there, because a body of higher priority is (nesting.h), and boundaries of media end no segment: no
 /// tracer knows of them. It may also have
-///   void collided(const Path&, const MediumVertex&)       may push branches
-///   void glowed(const Path&, FrameSet, const Rgb&)        what the path's medium adds, for each unit of throughput
-///   void beamed(const Path&, const MediumSection&)        instead of both: the path passes through media, which dim it
-/// Without any of the three, media are not there. It may also have
+///   void collided(), glowed() or beamed()                 by media, see medium_segment.h
 ///   StrandTable& strands()                                frames with different bodies then stay one path
 ///   void dimmed(const Path& before, const Path& after)    by the body that the segment has passed through
-template <class Path>
+template <class AnyPath>
 class BranchingPath {
  public:
+  using Path = AnyPath;
+
   BranchingPath(const Scene& scene, PathCounts& counts) : scene_(scene), frames_(scene.frames()), counts_(counts) {}
 
   /// The new copy may be changed in place until the next push; drop() removes it.
@@ -50,7 +46,8 @@ class BranchingPath {
     while (count_ > 0) {
       const Path path = branches_[static_cast<std::size_t>(--count_)];
       if (!scene_.media.empty() && !path.walk.is_inside()) {
-        fly(path, tracer);
+        counts_.segments.add(path.frames.count());
+        MediumSegment<BranchingPath>(*this, path, steps_).follow(tracer);
         continue;
       }
       const HitPartition parts = scene_.accel->partition(path.ray, path.frames);
@@ -80,148 +77,7 @@ class BranchingPath {
   }
 
  private:
-  /// Follows a segment through media.
-  template <class Tracer>
-  void fly(const Path& path, Tracer& tracer) {
-    const FrameArray<Meeting> meetings = meetings_along(scene_, path.ray, path.frames);
-    counts_.segments.add(path.frames.count());
-    parted_ |= meetings.size() > 1 || path.frames != frames_;
-    if constexpr (requires(const MediumSection& section) { tracer.beamed(path, section); })
-      if (path.inside.medium != kNoMedium) return beam(path, meetings, tracer);
-    if constexpr (requires(const MediumVertex& vertex) { tracer.collided(path, vertex); }) {
-      if (path.inside.medium != kNoMedium) {
-        scene_.media[static_cast<std::size_t>(path.inside.medium)].majorants.for_each(
-            path.frames, [&](FrameSet frames, const Majorants& majorants) {
-              MediumFlight flight(scene_, path, frames, majorants);
-              for (const Meeting& meeting : meetings) fly_to(meeting, path, flight, tracer);
-            });
-        return;
-      }
-    }
-    for (const Meeting& meeting : meetings) {
-      Path on = path;
-      on.frames = meeting.frames;
-      land(on, meeting, tracer);
-    }
-  }
-
-  /// What is left of a path that has passed through a medium to one of its meetings.
-  struct Passed {
-    std::size_t meeting;
-    FrameSet frames;
-    Rgb left;
-    int numbers;
-  };
-
-  /// Passes through a medium: in each of its states section by section, up to what the frames meet one after another. Frames
-  /// that meet the same then go on as one path, if the tracer has strands.
-  template <class Tracer>
-  void beam(const Path& path, const FrameArray<Meeting>& meetings, Tracer& tracer) {
-    FrameArray<Passed> passed;
-    const SceneMedium& medium = scene_.media[static_cast<std::size_t>(path.inside.medium)];
-    medium.majorants.for_each(path.frames, [&](FrameSet alike, const Majorants& majorants) {
-      medium.states.for_each(alike, [&](FrameSet frames, const Medium& state) {
-        steps_.clear();
-        SegmentNumbers numbers{path.random, path.bounces, path.flights.numbers};
-        MediumPassage passage(state, majorants, path.ray, numbers, steps_);
-        Path within = path;
-        within.frames = frames;
-        for (std::size_t m = 0; m < meetings.size(); ++m) {
-          const FrameSet landing = within.frames & meetings[m].frames;
-          if (landing.empty()) continue;
-          tracer.beamed(within, passage.advance(meetings[m].hit.t));
-          if (!is_black(passage.left())) passed.add({m, landing, passage.left(), numbers.used});
-          within.frames = within.frames - landing;
-        }
-      });
-    });
-    FrameSet done;
-    for (const Passed& first : passed) {
-      if (!(first.frames & done).empty()) continue;
-      FrameArray<FrameFactor> factors;
-      for (const Passed& each : passed)
-        if (each.meeting == first.meeting && each.numbers == first.numbers && (each.frames & done).empty())
-          factors.add({each.frames, each.left});
-      for (const FrameFactor& factor : factors) done |= factor.frames;
-      Path on = path;
-      on.flights.numbers = first.numbers;
-      land_together(on, factors, meetings[first.meeting], tracer);
-    }
-  }
-
-  template <class Tracer>
-  void land_together(const Path& path, const FrameArray<FrameFactor>& factors, const Meeting& meeting, Tracer& tracer) {
-    if constexpr (requires { tracer.strands(); }) {
-      Path on = path;
-      on.frames &= meeting.frames;
-      if (multiply(on, factors, tracer.strands(), ByRatio::yes, keep_all)) land(on, meeting, tracer);
-    } else {
-      for (const FrameFactor& factor : factors) {
-        Path on = path;
-        on.frames = factor.frames, on.throughput *= factor.factor;
-        land(on, meeting, tracer);
-      }
-    }
-  }
-
-  template <class Tracer>
-  void fly_to(const Meeting& meeting, const Path& path, MediumFlight& flight, Tracer& tracer) {
-    while (!flight.flying().empty() && flight.meet(meeting.hit.t)) collide(path, flight, tracer);
-    for (const Flying& each : flight.flying()) {
-      const FrameSet landing = each.frames & meeting.frames;
-      if (!landing.empty()) land(flown(path, each, landing, flight.numbers(), tracer), meeting, tracer);
-    }
-    flight.land(meeting.frames);
-  }
-
-  template <class Tracer>
-  static Path flown(const Path& path, const Flying& flying, FrameSet frames, int numbers, Tracer& tracer) {
-    Path on = path;
-    on.frames = frames, on.throughput *= flying.weight, on.flights = {flying.share, numbers};
-    if constexpr (requires { tracer.wandered(path, on); }) tracer.wandered(path, on);
-    return on;
-  }
-
-  /// Hands the path to the tracer at a surface, or sends it on through a boundary.
-  template <class Tracer>
-  void land(const Path& path, const Meeting& meeting, Tracer& tracer) {
-    if (meeting.is_boundary) {
-      const BoundaryPoint point(*scene_.boundaries, meeting.hit, path.ray.direction);
-      Path& on = push(path);
-      on.ray = point.beyond(path.ray, meeting.hit.t), on.inside.medium = point.medium_beyond(path.ray.direction);
-      on.passed += meeting.hit.t;
-      return;
-    }
-    HitPartition part;
-    part.add(path.frames, meeting.hit);
-    if (!tracer.postpones(path, part)) arrive(path, part[0], tracer);
-  }
-
-  /// Hands over the frames that have collided: together if they have flown alike.
-  template <class Tracer>
-  void collide(const Path& path, const MediumFlight& flight, Tracer& tracer) {
-    if constexpr (requires { tracer.glowed(path, path.frames, Rgb()); })
-      for (const FrameFactor& glow : flight.glowing()) {
-        Path glowing = path;
-        glowing.frames = glow.frames;
-        dim(glowing, path.inside, glow.frames, path.passed + flight.distance(), tracer,
-            [&](const Path& left) { tracer.glowed(left, left.frames, glow.factor); });
-      }
-    FrameSet done;
-    for (const auto& first : flight.colliding()) {
-      if (!(first.flown.frames & done).empty()) continue;
-      MediumVertex vertex{
-          path.ray.at(flight.distance()), -path.ray.direction, path.passed + flight.distance(), path.inside.medium, {}};
-      for (const auto& each : flight.colliding())
-        if (each.flown.weight == first.flown.weight && each.flown.share == first.flown.share)
-          vertex.states.add({each.flown.frames, each.albedo, HenyeyGreenstein(each.g)});
-      const FrameSet together = vertex.frames();
-      done |= together;
-      parted_ |= together != path.frames || vertex.states.size() > 1;
-      const Path on = flown(path, first.flown, together, flight.numbers(), tracer);
-      dim(on, path.inside, together, vertex.distance, tracer, [&](const Path& left) { tracer.collided(left, vertex); });
-    }
-  }
+  friend MediumSegment<BranchingPath>;
 
   template <class Tracer>
   void arrive_at_surface(const Path& path, const FrameHit& part, Tracer& tracer) {

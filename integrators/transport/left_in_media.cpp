@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "dspm/base/colour/rgb.h"
 #include "dspm/integrators/transport/medium_boundary.h"
 
 namespace dspm {

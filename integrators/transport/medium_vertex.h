@@ -1,6 +1,8 @@
 // A path's collision with a medium.
 #pragma once
 
+#include <span>
+
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frame_array.h"
 #include "dspm/base/math/frames.h"
@@ -10,6 +12,12 @@
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {
+
+/// What a path remembers of its flights through media.
+struct Flights {
+  Rgb share{1};     // of the density of the path's points by each colour's flights, over the mean of all three
+  int numbers = 0;  // random ones, drawn for the next segment so far
+};
 
 /// A collision, in the frames that meet the medium at the same point. It is a place that is lit, as a Vertex is.
 struct MediumVertex {
@@ -39,5 +47,21 @@ struct MediumVertex {
   Inside inside_beyond(const Inside& arriving, const Vec3&) const { return arriving; }
   SceneElement scatterer() const { return {SceneElement::Kind::medium, medium}; }
 };
+
+/// Calls fn(const HenyeyGreenstein&, std::span<const FrameFactor> albedos) for frames that are scattered alike but for colour;
+/// without `join`, for each state.
+template <class Fn>
+void for_each_phase(const MediumVertex& vertex, bool join, Fn&& fn) {
+  FrameSet done;
+  for (const MediumVertex::State& first : vertex.states) {
+    if (!(first.frames & done).empty()) continue;
+    FrameArray<FrameFactor> albedos;
+    for (const MediumVertex::State& state : vertex.states)
+      if (&state == &first || (join && state.phase == first.phase && (state.frames & done).empty()))
+        albedos.add({state.frames, state.albedo});
+    for (const FrameFactor& albedo : albedos) done |= albedo.frames;
+    fn(first.phase, std::span<const FrameFactor>(albedos));
+  }
+}
 
 }  // namespace dspm

@@ -21,12 +21,6 @@
 
 namespace dspm {
 
-/// What a path remembers of its flights through media.
-struct Flights {
-  Rgb share{1};     // of the density of the path's points by each colour's flights, over the mean of all three
-  int numbers = 0;  // random ones, drawn for the next segment so far
-};
-
 /// A path is a value. When frames part, each group gets a copy, with disjoint frame sets.
 struct PathState {
   Ray ray;                 // the next segment
