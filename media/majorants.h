@@ -23,7 +23,6 @@ class Majorants {
 
   bool is_everywhere() const { return everywhere_; }
   const Bounds3& extent() const { return extent_; }
-  std::size_t bytes() const { return cells_.size() * sizeof(Rgb); }
 
  private:
   friend class TentativeCollisions;

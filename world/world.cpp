@@ -64,7 +64,7 @@ struct World::Impl {
               sooner != nullptr ? sooner->looks.images()
                                 : std::make_shared<ImageCache>(!text.options.disable_texture_filtering),
               diagnostics),
-        media(text, diagnostics),
+        media(text, sooner != nullptr ? &sooner->media : nullptr, diagnostics),
         geometry(text, options.check_meshes, looks, options.kept, diagnostics),
         kept(options.kept),
         sample_size(size_of_sample(options)) {

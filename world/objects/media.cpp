@@ -10,6 +10,7 @@
 #include "dspm/base/params/params.h"
 #include "dspm/world/objects/in_frame.h"
 #include "dspm/world/objects/likeness.h"
+#include "dspm/world/objects/param_key.h"
 #include "dspm/world/objects/params_at.h"
 #include "dspm/world/objects/placement_check.h"
 
@@ -31,6 +32,13 @@ struct State {
   Matrix4 world_from_medium;
 };
 
+ContentKey key_of(const State& state) {
+  ContentKey key(state.use->type);
+  dspm::add(key, state.params);
+  key.add_bytes_of(state.world_from_medium);
+  return key;
+}
+
 std::shared_ptr<const Medium> make(const State& state, const std::filesystem::path& directory,
                                    Diagnostics& diagnostics) {
   const auto* plugin = medium_plugins().find(state.use->type, state.use->type_where, diagnostics);
@@ -46,9 +54,9 @@ std::shared_ptr<const Majorants> majorants_of(const std::vector<const Medium*>& 
 
 }  // namespace
 
-Media::Media(const SceneDescription& description, Diagnostics& diagnostics)
+Media::Media(const SceneDescription& description, const Media* sooner, Diagnostics& diagnostics)
     : description_(description), diagnostics_(diagnostics) {
-  for (const MediumUse& use : description.media) add(use);
+  for (const MediumUse& use : description.media) add(use, sooner);
   for (const MediumInterfaceUse& use : description.medium_interfaces) {
     const MediumInterface found{find(use.inside, use.where), find(use.outside, use.where)};
     used_ = used_ || found.inside != kNoMedium || found.outside != kNoMedium;
@@ -56,9 +64,9 @@ Media::Media(const SceneDescription& description, Diagnostics& diagnostics)
   }
 }
 
-void Media::add(const MediumUse& own) {
+void Media::add(const MediumUse& own, const Media* sooner) {
   const FileFrames& frames = description_.frames;
-  OfFile medium{own.name, definition_of(description_, own), {}, {}};
+  OfFile medium{own.name, definition_of(description_, own), {}, {}, {}};
   const auto sources = Timeline<Source>::of(
       frames.count(),
       [&](FileFrame f) {
@@ -86,19 +94,25 @@ void Media::add(const MediumUse& own) {
     if (is_sound(state.world_from_medium)) continue;
     return report_singular(fmt::format("medium \"{}\"", own.name), in_frame(frames, f), state.use->where, diagnostics_);
   }
+  const OfFile* const before = sooner != nullptr ? &sooner->media_[media_.size()] : nullptr;
   for (const State& state : states.states) {
-    medium.states.states.push_back(make(state, description_.main_directory(), diagnostics_));
+    const ContentKey& key = medium.keys.emplace_back(key_of(state));
+    std::shared_ptr<const Medium> made;
+    for (std::size_t i = 0; before != nullptr && i < before->keys.size(); ++i)
+      if (before->keys[i] == key) made = before->states.states[i];
+    medium.states.states.push_back(made ? made : make(state, description_.main_directory(), diagnostics_));
     if (diagnostics_.error_count() > errors) return;
   }
   // Variations that are added later leave the others' paths as they are.
   const auto base = static_cast<std::size_t>(medium.states.states_of_first(frames.base().count()));
   std::vector<const Medium*> common;
   for (std::size_t i = 0; i < base; ++i) common.push_back(medium.states.states[i].get());
-  const auto of_base = majorants_of(common);
+  const bool same = before != nullptr && before->states.states == medium.states.states;
+  const auto of_base = same ? before->majorants.front() : majorants_of(common);
   for (std::size_t i = 0; i < medium.states.states.size(); ++i) {
     const Medium& state = *medium.states.states[i];
     glow_ = glow_ || state.glows();
-    medium.majorants.push_back(i < base ? of_base : majorants_of({&state}));
+    medium.majorants.push_back(i < base ? of_base : same ? before->majorants[i] : majorants_of({&state}));
   }
   by_name_.emplace(own.name, static_cast<int>(media_.size()));
   media_.push_back(std::move(medium));

@@ -10,6 +10,7 @@
 #include "dspm/base/math/frames.h"
 #include "dspm/base/params/errors.h"
 #include "dspm/lang/description.h"
+#include "dspm/world/objects/content_key.h"
 #include "dspm/world/objects/look.h"
 #include "dspm/world/objects/timeline.h"
 #include "dspm/world/scene/scene_media.h"
@@ -18,7 +19,8 @@ namespace dspm {
 
 class Media {
  public:
-  Media(const SceneDescription& description, Diagnostics& diagnostics);
+  /// What is made of the same is shared with `sooner`, the media of the same scene at another time; it may be null.
+  Media(const SceneDescription& description, const Media* sooner, Diagnostics& diagnostics);
 
   /// Returns whether any interface names a medium. If none does, scenes have no media.
   bool are_used() const { return used_; }
@@ -38,10 +40,11 @@ class Media {
     std::string name;
     Definition definition;
     Timeline<std::shared_ptr<const Medium>> states;
+    std::vector<ContentKey> keys;                             // by state: what it is made of
     std::vector<std::shared_ptr<const Majorants>> majorants;  // by state
   };
 
-  void add(const MediumUse& use);
+  void add(const MediumUse& use, const Media* sooner);
   int find(const std::string& name, const SourceLocation& where);
 
   const SceneDescription& description_;
