@@ -48,6 +48,7 @@ class PixelTracer {
 
  private:
   friend BranchingPath<CameraPath>;
+  friend MediumSegment<BranchingPath<CameraPath>>;
 
   bool postpones(const CameraPath&, const HitPartition&) { return false; }
   void escaped(const CameraPath&, FrameSet) {}

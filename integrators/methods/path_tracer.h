@@ -42,6 +42,7 @@ class PathTracer {
 
  private:
   friend BranchingPath<CameraPath>;
+  friend MediumSegment<BranchingPath<CameraPath>>;
 
   bool postpones(const CameraPath&, const HitPartition&) { return false; }
 

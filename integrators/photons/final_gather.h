@@ -60,6 +60,7 @@ class FinalGather {
     const HitPoint* from = nullptr;
   };
   friend BranchingPath<GatherPath>;
+  friend MediumSegment<BranchingPath<GatherPath>>;
 
   bool postpones(const GatherPath&, const HitPartition&) { return false; }
   void escaped(const GatherPath&, FrameSet) {}

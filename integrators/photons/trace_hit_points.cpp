@@ -81,6 +81,7 @@ class HitPointTracer {
 
  private:
   friend BranchingPath<CameraPath>;
+  friend MediumSegment<BranchingPath<CameraPath>>;
 
   StrandTable& strands() { return tile_.strands; }
 

@@ -42,6 +42,7 @@ class PhotonTracer {
 
  private:
   friend BranchingPath<PhotonPath>;
+  friend MediumSegment<BranchingPath<PhotonPath>>;
 
   void start(const PathRandom& random) {
     started_.clear();

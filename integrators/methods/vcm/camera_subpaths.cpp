@@ -47,6 +47,7 @@ class CameraSubpathTracer {
 
  private:
   friend BranchingPath<CameraSubpath>;
+  friend MediumSegment<BranchingPath<CameraSubpath>>;
 
   /// The pixel's light subpath, the same in any crop.
   const LightSubpath& light_subpath() {

@@ -41,6 +41,7 @@ class LightPathTracer {
 
  private:
   friend BranchingPath<LightPath>;
+  friend MediumSegment<BranchingPath<LightPath>>;
 
   void start(std::size_t choice, const PathRandom& random) {
     const EmissionStart chosen = start_of(pass_.guides, scene_, choice, random);
