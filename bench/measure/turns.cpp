@@ -36,7 +36,10 @@ InTurns compare(const std::vector<Rounds>& seconds, const Integrator& together, 
 
 }  // namespace
 
-InTurns take_turns(const LoadedScene& loaded, const Job& job, const TurnSettings& settings) {
+// Left to itself, dsppm leaves more to camera paths the more frames share them: times of an iteration would then be those of
+// different work.
+InTurns take_turns(const LoadedScene& loaded, const Job& asked, const TurnSettings& settings) {
+  const Job job = with_text(asked, "indirect", "photons");
   std::vector<Group> groups(2);
   groups[0].push_back(start(loaded, job, "dsppm", job.frames));
   groups[1] = start_each(loaded, job, "sppm", spread_frames(job.frames, settings.separate));
