@@ -33,7 +33,7 @@ Coefficients read_coefficients(ParamReader& reader, const Rgb& sigma_a, const Rg
   return read;
 }
 
-Rgb read_emission(ParamReader& reader) {
+Rgb read_emitted_radiance(ParamReader& reader) {
   const Rgb colour = reader.rgb("Le", Rgb(0), SpectrumRole::illuminant, "radiance that what absorbs gives off");
   const float scale = reader.number("Lescale", 1, "", "multiplies Le");
   const Rgb emission = colour * scale;

@@ -16,6 +16,6 @@ struct Coefficients {
 Coefficients read_coefficients(ParamReader& reader, const Rgb& sigma_a, const Rgb& sigma_s);
 
 /// Reads "Le" and "Lescale": the radiance that what absorbs gives off.
-Rgb read_emission(ParamReader& reader);
+Rgb read_emitted_radiance(ParamReader& reader);
 
 }  // namespace dspm

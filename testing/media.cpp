@@ -17,7 +17,7 @@
 namespace dspm::test {
 namespace {
 
-std::string text(const Vec3& v) { return fmt::format("({} {} {})", v.x, v.y, v.z); }
+std::string point_text(const Vec3& v) { return fmt::format("({} {} {})", v.x, v.y, v.z); }
 
 /// Numbers in [0, 1), one after another.
 class Numbers {
@@ -68,11 +68,11 @@ Verdict is_sound(const Medium& medium) {
     for (const Rgb& each : {here.sigma_a, here.sigma_s, here.emitted})
       for (int c = 0; c < 3; ++c)
         if (!(each[c] >= 0) || !std::isfinite(each[c]))
-          verdict.fail(fmt::format("a property at {} is {}", text(p), each[c]));
-    if (!(std::abs(here.g) < 1)) verdict.fail(fmt::format("g at {} is {}", text(p), here.g));
+          verdict.fail(fmt::format("a property at {} is {}", point_text(p), each[c]));
+    if (!(std::abs(here.g) < 1)) verdict.fail(fmt::format("g at {} is {}", point_text(p), here.g));
     if (const auto same = medium.everywhere();
         same && !(same->sigma_a == here.sigma_a && same->sigma_s == here.sigma_s))
-      verdict.fail(fmt::format("everywhere() says something else than at({})", text(p)));
+      verdict.fail(fmt::format("everywhere() says something else than at({})", point_text(p)));
   }
   if (verdict.passed) verdict.message = fmt::format("{} points", kPoints);
   return verdict;
@@ -93,12 +93,12 @@ Verdict keeps_to_bounds(const Medium& medium) {
       const Rgb here = medium.at(p).sigma_t();
       for (int c = 0; c < 3; ++c)
         if (!(here[c] <= most[c] * kRounding))
-          verdict.fail(fmt::format("sigma_t at {} is {}, but the majorant from {} to {} is {}", text(p), here[c],
-                                   text(box.low), text(box.high), most[c]));
+          verdict.fail(fmt::format("sigma_t at {} is {}, but the majorant from {} to {} is {}", point_text(p), here[c],
+                                   point_text(box.low), point_text(box.high), most[c]));
     }
     const Vec3 outside = numbers.point_in(wider(extent));
     if (medium.extent() && !is_within(extent, outside) && !is_black(medium.at(outside).sigma_t()))
-      verdict.fail(fmt::format("{} is outside of the extent, but sigma_t is not 0 there", text(outside)));
+      verdict.fail(fmt::format("{} is outside of the extent, but sigma_t is not 0 there", point_text(outside)));
   }
   if (verdict.passed) verdict.message = fmt::format("{} boxes", kBoxes);
   return verdict;
@@ -134,7 +134,7 @@ Verdict lets_light_through(const Medium& medium) {
     const double expected = std::exp(-depth);
     if (!(std::abs(mean - expected) <= kDeviations * error + 2e-3 * expected + 1e-6))
       verdict.fail(fmt::format("from {} to {}, {:.5g} +- {:.2g} of the light is left, but quadrature gives {:.5g}",
-                               text(from), text(to), mean, error, expected));
+                               point_text(from), point_text(to), mean, error, expected));
   }
   if (verdict.passed) verdict.message = fmt::format("{} lines", kLines);
   return verdict;

@@ -1,18 +1,12 @@
 #include "dspm/integrators/transport/body.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
+
+#include "dspm/media/beers_law.h"
 
 namespace dspm {
 namespace {
-
-/// Returns exp(-absorption distance), by Beer's law.
-Rgb left_after(const Rgb& absorption, float distance) {
-  Rgb left;
-  for (int c = 0; c < 3; ++c) left[c] = absorption[c] > 0 ? std::exp(-absorption[c] * distance) : 1;
-  return left;
-}
 
 /// Returns null if the body's state in that frame bounds none.
 const Material* state_of(const Scene& scene, int body, Frame frame) {

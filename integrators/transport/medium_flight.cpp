@@ -6,9 +6,9 @@
 namespace dspm {
 namespace {
 
-constexpr int kColour = 1 << 19, kFirstNumber = kColour + 1;  // apart from the numbers of walks
+constexpr int kColour = 1 << 19, kFirstFlight = kColour + 1;  // apart from the numbers of walks
 
-Rgb left_after(const Rgb& depth) { return {std::exp(-depth.r), std::exp(-depth.g), std::exp(-depth.b)}; }
+Rgb exp_minus(const Rgb& depth) { return {std::exp(-depth.r), std::exp(-depth.g), std::exp(-depth.b)}; }
 
 float mean(const Rgb& c) { return (c.r + c.g + c.b) / 3; }
 
@@ -40,9 +40,9 @@ MediumFlight::MediumFlight(const Scene& scene, const PathState& path, FrameSet f
 
 bool MediumFlight::meet(float distance) {
   colliding_.shrink(0), glowing_.shrink(0);
-  const auto number = [&] { return path_.random.number(path_.bounces, kFirstNumber + numbers_++); };
+  const auto number = [&] { return path_.random.number(path_.bounces, kFirstFlight + numbers_++); };
   const bool met = collisions_.advance(distance, number);
-  const Rgb left = left_after(collisions_.depth());
+  const Rgb left = exp_minus(collisions_.depth());
   if (!met) {
     erase_if(flying_, [&](Flying& each) { return !each.weigh(left); });
     return false;

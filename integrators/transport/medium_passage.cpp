@@ -1,22 +1,15 @@
 #include "dspm/integrators/transport/medium_passage.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "dspm/media/beers_law.h"
 
 namespace dspm {
-namespace {
 
-constexpr int kFirstNumber = 1 << 20;  // apart from those of walks and flights
-
-Rgb left_after(const Rgb& sigma_t, float distance) {
-  Rgb left;
-  for (int c = 0; c < 3; ++c) left[c] = sigma_t[c] > 0 ? std::exp(-sigma_t[c] * distance) : 1;
-  return left;
+float SegmentNumbers::next() {
+  constexpr int kFirst = 1 << 20;  // apart from those of walks and flights
+  return random.number(bounce, kFirst + used++);
 }
-
-}  // namespace
-
-float SegmentNumbers::next() { return random.number(bounce, kFirstNumber + used++); }
 
 Rgb MediumSection::left_at(float t) const {
   if (steps.empty()) return left * left_after(sigma_t, t - begin);

@@ -18,28 +18,28 @@ namespace dspm {
 namespace {
 
 /// What makes a medium in a frame, before its parameters are evaluated.
-struct Source {
+struct MediumSource {
   Definition::Use use;
   Moment moment;
-  friend bool operator==(const Source& a, const Source& b) {
+  friend bool operator==(const MediumSource& a, const MediumSource& b) {
     return a.use.plugin == b.use.plugin && a.moment == b.moment;
   }
 };
 
-struct State {
+struct MediumState {
   const PluginUse* use;
   ParamList params;
   Matrix4 world_from_medium;
 };
 
-ContentKey key_of(const State& state) {
+ContentKey key_of(const MediumState& state) {
   ContentKey key(state.use->type);
   dspm::add(key, state.params);
   key.add_bytes_of(state.world_from_medium);
   return key;
 }
 
-std::shared_ptr<const Medium> make(const State& state, const std::filesystem::path& directory,
+std::shared_ptr<const Medium> make(const MediumState& state, const std::filesystem::path& directory,
                                    Diagnostics& diagnostics) {
   const auto* plugin = medium_plugins().find(state.use->type, state.use->type_where, diagnostics);
   if (plugin == nullptr) return nullptr;
@@ -67,35 +67,35 @@ Media::Media(const SceneDescription& description, const Media* sooner, Diagnosti
 void Media::add(const MediumUse& own, const Media* sooner) {
   const FileFrames& frames = description_.frames;
   OfFile medium{own.name, definition_of(description_, own), {}, {}, {}};
-  const auto sources = Timeline<Source>::of(
+  const auto sources = Timeline<MediumSource>::of(
       frames.count(),
       [&](FileFrame f) {
         const Definition::Use& use = medium.definition.uses[medium.definition.use_of[frames.combination_of(f)]];
-        return std::optional(Source{use, use.is_keyed() ? frames.moment(f) : Moment()});
+        return std::optional(MediumSource{use, use.is_keyed() ? frames.moment(f) : Moment()});
       },
-      [](const Source& a, const Source& b) { return a == b; });
+      [](const MediumSource& a, const MediumSource& b) { return a == b; });
   const int errors = diagnostics_.error_count();
-  Timeline<State> states;
-  Timeline<State>::Index index;
+  Timeline<MediumState> states;
+  Timeline<MediumState>::Index index;
   std::vector<int> state_of;
-  for (const Source& source : sources.states)
+  for (const MediumSource& source : sources.states)
     state_of.push_back(states.place(
-        State{source.use.plugin, params_at(source.use.plugin->params, frames, source.moment),
-              source.use.motion->at(source.moment)},
+        MediumState{source.use.plugin, params_at(source.use.plugin->params, frames, source.moment),
+                    source.use.motion->at(source.moment)},
         index,
-        [](const State& a, const State& b) {
+        [](const MediumState& a, const MediumState& b) {
           return a.use == b.use && a.world_from_medium == b.world_from_medium && a.params.same_values(b.params);
         },
-        [](const State& state) { return Likeness().add(state.world_from_medium).add(state.params).number(); }));
+        [](const MediumState& state) { return Likeness().add(state.world_from_medium).add(state.params).number(); }));
   for (const int source : sources.state_of)
     medium.states.state_of.push_back(state_of[static_cast<std::size_t>(source)]);
   for (FileFrame f(0); f.index() < frames.count(); ++f) {
-    const State& state = states.states[static_cast<std::size_t>(medium.states.at(f))];
+    const MediumState& state = states.states[static_cast<std::size_t>(medium.states.at(f))];
     if (is_sound(state.world_from_medium)) continue;
     return report_singular(fmt::format("medium \"{}\"", own.name), in_frame(frames, f), state.use->where, diagnostics_);
   }
   const OfFile* const before = sooner != nullptr ? &sooner->media_[media_.size()] : nullptr;
-  for (const State& state : states.states) {
+  for (const MediumState& state : states.states) {
     const ContentKey& key = medium.keys.emplace_back(key_of(state));
     std::shared_ptr<const Medium> made;
     for (std::size_t i = 0; before != nullptr && i < before->keys.size(); ++i)
