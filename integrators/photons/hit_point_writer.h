@@ -86,22 +86,27 @@ class HitPointWriter {
   }
 
   /// Adds the part of the path's segment that the section is, and what the medium there gives off. Photons bring what it
-  /// scatters.
+  /// scatters. Close to the camera the radius is not that of few pixels: single photons there would be specks of light.
   void add_beam(const CameraPath& path, const MediumSection& section) {
     if (max_component(section.glow) > 0)
       see(path, path.frames, section.glow, [&] {
         return SceneElement{SceneElement::Kind::medium, path.inside.medium};
       });
     if (path.bounces >= settings_.max_depth) return;
-    const float near = path.camera->pixel_spacing(path.length + path.passed),
-                far = path.camera->pixel_spacing(path.length + path.passed + 1);
-    const bool from_footprint = !(settings_.radius > 0);
-    tile_.beams.push_back({path.ray, section.begin, section.end, path.throughput, path.frames, path.strands, path.pixel,
-                           path.caught, path.inside.medium, from_footprint ? kRadiusInPixels * near : settings_.radius,
-                           from_footprint ? kRadiusInPixels * (far - near) : 0,
-                           from_footprint ? kLargestShareOfScene * scene_.radius : settings_.radius, section.left,
-                           section.sigma_t, static_cast<std::uint32_t>(tile_.steps.size()),
-                           static_cast<std::uint32_t>(section.steps.size())});
+    const auto pixels = [&](float length) { return kRadiusInPixels * path.camera->pixel_spacing(length); };
+    const float length = path.length + path.passed, near = pixels(length), most = kLargestShareOfScene * scene_.radius;
+    CameraBeam& beam = tile_.beams.emplace_back();
+    beam.ray = path.ray, beam.begin = section.begin, beam.end = section.end;
+    beam.throughput = path.throughput, beam.frames = path.frames, beam.strands = path.strands;
+    beam.pixel = path.pixel, beam.caught = path.caught, beam.medium = path.inside.medium;
+    beam.radius = settings_.radius, beam.least = beam.most = settings_.radius;
+    if (!(settings_.radius > 0)) {
+      beam.radius = near, beam.spread = pixels(length + 1) - near;
+      beam.least = std::min(most, pixels(scene_.radius)), beam.most = most;
+    }
+    beam.left = section.left, beam.sigma_t = section.sigma_t;
+    beam.first_step = static_cast<std::uint32_t>(tile_.steps.size());
+    beam.steps = static_cast<std::uint32_t>(section.steps.size());
     tile_.steps.insert(tile_.steps.end(), section.steps.begin(), section.steps.end());
   }
 

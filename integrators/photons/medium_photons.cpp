@@ -94,6 +94,7 @@ MediumPhotons::Test::Test(const CameraBeam& beam, float scale)
       end(beam.end),
       radius(scale * beam.radius),
       spread(scale * beam.spread),
+      least(scale * beam.least),
       most(scale * beam.most) {
   constexpr float kLeast = 1e-12f;  // so that no plane's distance is 0 / 0
   for (int axis = 0; axis < 3; ++axis)
@@ -116,15 +117,16 @@ unsigned MediumPhotons::Test::near(const Node& node) const {
   for (std::size_t i = 0; i < kWidth; ++i) {
     const float a = std::abs(radius + spread * std::max(begin, first[i])),
                 b = std::abs(radius + spread * std::min(end, last[i]));
-    around[i] = std::min(most, std::max(a, b)) * 1.0001f;
+    around[i] = std::clamp(std::max(a, b), least, most) * 1.0001f;
     enter[i] = begin, leave[i] = end;
   }
+  // In the ray's order, so that boxes that are inside out are never entered.
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const float o = origin[axis], inv = inverse[axis];
+    const float o = origin[axis], inv = inverse[axis], towards = inv < 0 ? -1.f : 1.f;
+    const auto &near = node.planes[2 * axis + (inv < 0)], &far = node.planes[2 * axis + (inv >= 0)];
     for (std::size_t i = 0; i < kWidth; ++i) {
-      const float a = (node.planes[2 * axis][i] - around[i] - o) * inv,
-                  b = (node.planes[2 * axis + 1][i] + around[i] - o) * inv;
-      enter[i] = std::max(enter[i], std::min(a, b)), leave[i] = std::min(leave[i], std::max(a, b));
+      enter[i] = std::max(enter[i], (near[i] - towards * around[i] - o) * inv);
+      leave[i] = std::min(leave[i], (far[i] + towards * around[i] - o) * inv);
     }
   }
   unsigned bits = 0;

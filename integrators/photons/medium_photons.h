@@ -57,7 +57,7 @@ class MediumPhotons {
   /// A beam prepared for tests of boxes.
   struct Test {
     float origin[3], direction[3], inverse[3];
-    float begin, end, radius, spread, most;
+    float begin, end, radius, spread, least, most;
 
     Test(const CameraBeam& beam, float scale);
     /// Returns the children that the beam may come near to, as bits.

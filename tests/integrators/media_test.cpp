@@ -39,8 +39,8 @@ const std::string kPath = R"("path" "integer maxdepth" 100)";
 std::vector<std::string> integrators(int bounces) {
   return {
       fmt::format(R"("path" "integer maxdepth" {})", bounces),
-      fmt::format(R"("dsppm" "integer maxdepth" {} "integer photons" 20000 "float radius" .1)", bounces),
-      fmt::format(R"("sppm" "integer maxdepth" {} "integer photons" 20000 "float radius" .1 "string estimator" "hj09")",
+      fmt::format(R"("dsppm" "integer maxdepth" {} "integer photons" 20000 "float radius" .2)", bounces),
+      fmt::format(R"("sppm" "integer maxdepth" {} "integer photons" 20000 "float radius" .2 "string estimator" "hj09")",
                   bounces)};
 }
 bool has_photons(const std::string& integrator) { return integrator.find("ppm") != std::string::npos; }
@@ -125,7 +125,7 @@ TEST(Media, ScatterALampsLightOnce) {
               integrator,
               homogeneous("fog", fmt::format(R"("rgb sigma_a" [.05 .1 .3] "rgb sigma_s" [.2 .2 .1] "float g" {})", g)),
               R"(LightSource "point" "rgb I" [10 10 10] "point3 from" [0 1.5 0])", "fog"),
-          has_photons(integrator) ? 60 : 3000);
+          has_photons(integrator) ? 100 : 3000);
       const auto expected = [&](double sigma_a, double sigma_s) {
         return integral(0, 60, [&](double s) {
           const double z = s - 3, d = std::hypot(1.5, z), cosine = -z / d, sigma_t = sigma_a + sigma_s;
@@ -134,8 +134,8 @@ TEST(Media, ScatterALampsLightOnce) {
         });
       };
       const double r = expected(0.05, 0.2), green = expected(0.1, 0.2), b = expected(0.3, 0.1);
-      EXPECT_NEAR(static_cast<double>(seen.r) / r, 1, 0.02) << integrator << g;
-      EXPECT_NEAR(static_cast<double>(seen.g) / green, 1, 0.02) << integrator << g;
+      EXPECT_NEAR(static_cast<double>(seen.r) / r, 1, 0.03) << integrator << g;
+      EXPECT_NEAR(static_cast<double>(seen.g) / green, 1, 0.03) << integrator << g;
       EXPECT_NEAR(static_cast<double>(seen.b) / b, 1, 0.03) << integrator << g;
     }
 }
@@ -155,8 +155,8 @@ AttributeBegin MediumInterface "smoke" "" Material "interface" Shape "sphere" "f
 )";
   for (const std::string& integrator : integrators(2000))
     for (const std::string& contents : {ball_of("milk"), ball_of("smoke"), glass, in_mist}) {
-      const Rgb seen = mean_of(looking(integrator, milk + smoke, kSky + contents), has_photons(integrator) ? 30 : 300);
-      expect_colour(seen, 1, 1, 1, has_photons(integrator) ? 0.04 : 0.02);
+      const Rgb seen = mean_of(looking(integrator, milk + smoke, kSky + contents), has_photons(integrator) ? 40 : 300);
+      expect_colour(seen, 1, 1, 1, has_photons(integrator) ? 0.06 : 0.02);
     }
 }
 
@@ -167,10 +167,12 @@ TEST(Media, LeaveAFurnaceAsItIs) {
     const std::string sphere = R"(AreaLightSource "diffuse" "rgb L" [1 1 1]
 Material "diffuse" "rgb reflectance" [.5 .5 .5] ReverseOrientation Shape "sphere" "float radius" 4
 )";
-    for (const std::string& integrator : integrators(500)) {
+    for (std::string integrator : integrators(500)) {
+      if (has_photons(integrator))
+        integrator.replace(integrator.find("\"float radius\" .2"), 17, "\"float radius\" .5");
       const Rgb seen =
-          mean_of(looking(integrator, homogeneous("fog", params), sphere, "fog"), has_photons(integrator) ? 30 : 100);
-      expect_colour(seen, 2, 2, 2, has_photons(integrator) ? 0.06 : 0.03);
+          mean_of(looking(integrator, homogeneous("fog", params), sphere, "fog"), has_photons(integrator) ? 20 : 100);
+      expect_colour(seen, 2, 2, 2, has_photons(integrator) ? 0.08 : 0.035);
     }
   }
 }

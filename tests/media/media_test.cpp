@@ -44,7 +44,7 @@ TEST(Homogeneous, IsWhatItsParametersSay) {
 TEST(Homogeneous, TakesMeasuredMedia) {
   const auto cream = medium("homogeneous", {text("preset", "Cream")});
   EXPECT_EQ(cream->at({}).sigma_s, Rgb(7.38f, 5.47f, 3.15f));
-  EXPECT_NE(errors("homogeneous", {text("preset", "Creme")}).find("Cream"), std::string::npos);
+  EXPECT_NE(errors("homogeneous", {text("preset", "Creme")}).find("no measured medium \"Creme\""), std::string::npos);
 }
 
 TEST(Media, RefuseWhatMakesNoSense) {
