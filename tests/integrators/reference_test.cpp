@@ -200,5 +200,15 @@ TEST_F(Reference, ClassroomByPath) {
   EXPECT_NEAR(r.g, 1.19, 0.04);
 }
 
+// The reference has light that is scattered up to four times: with maxdepth 8 the room would be 1.4 times as bright.
+TEST_F(Reference, VolumetricCausticByDsppm) {
+  const auto blocks = render_blocks(
+      {"volumetric-caustic", R"("dsppm" "integer maxdepth" 4 "integer photons" 100000)", 128, 128, 12, 8, 100});
+  record(blocks);
+  EXPECT_GT(blocks.size(), 250u);
+  EXPECT_LT(mean_error(blocks), 0.06);
+  expect_ratio(ratio(blocks), Rgb(1), 0.015f);
+}
+
 }  // namespace reference_test
 }  // namespace dspm

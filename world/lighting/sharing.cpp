@@ -28,6 +28,11 @@ struct Summary {
   std::set<const Shape*> geometries;
 };
 
+/// The frames in which the shape is there, or parts media.
+FrameSet there_in(const WorldShape& shape, std::span<const FileFrame> frames) {
+  return shape.present.among(frames) | shape.only_parts.among(frames);
+}
+
 Summary summary(const std::vector<const WorldShape*>& shapes, std::span<const FileFrame> frames) {
   Summary s;
   std::set<std::vector<const WorldShape*>> states;
@@ -35,7 +40,7 @@ Summary summary(const std::vector<const WorldShape*>& shapes, std::span<const Fi
   for (const FileFrame f : frames) {
     std::vector<const WorldShape*> there;
     for (const WorldShape* shape : shapes)
-      if (shape->present.contains(f)) there.push_back(shape);
+      if (!there_in(*shape, {&f, 1}).empty()) there.push_back(shape);
     s.frames_present += !there.empty();
     places.insert(there.begin(), there.end());
     states.insert(std::move(there));
@@ -128,7 +133,7 @@ std::vector<std::string> explain_sharing(const SceneDescription& description, co
     (shape.dynamic_block < 0 ? still : moving[static_cast<std::size_t>(shape.dynamic_block)]).push_back(&shape);
   // Outside of blocks, textures of holes and displacement may differ.
   const auto first_changing = std::stable_partition(still.begin(), still.end(), [&](const WorldShape* shape) {
-    return shape->present.among(frames) == FrameSet::first(static_cast<int>(frames.size()));
+    return there_in(*shape, frames) == FrameSet::first(static_cast<int>(frames.size()));
   });
   const Summary changing = summary({first_changing, still.end()}, frames);
   still.erase(first_changing, still.end());
