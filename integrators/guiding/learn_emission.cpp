@@ -13,6 +13,7 @@
 #include "dspm/base/system/parallel.h"
 #include "dspm/integrators/guiding/emission_tree.h"
 #include "dspm/integrators/guiding/pilot_pixels.h"
+#include "dspm/integrators/guiding/visible_beams.h"
 #include "dspm/integrators/guiding/visible_points.h"
 #include "dspm/world/scene/scene.h"
 
@@ -181,15 +182,20 @@ class Learner {
 
   void find(const Searched& visible, PilotRound& round) const {
     const std::size_t choices = scene_.light_choices.size();
-    std::vector<std::uint64_t> first_path(traces_.size());
-    std::uint64_t paths = 0;
-    for (std::size_t t = 0; t < traces_.size(); ++t)
+    const float widened = std::max(1.f, 0.5f * static_cast<float>(pixels_.stride)) * visible.scale;
+    const std::vector<double> in_beams =
+        squares_in_beams(tiles_, traces_, widened, kMostRadius * scene_.radius, visible.frames);
+    std::vector<std::uint64_t> first_path(traces_.size()), first_in_media(traces_.size());
+    std::uint64_t paths = 0, in_media = 0;
+    for (std::size_t t = 0; t < traces_.size(); ++t) {
       first_path[t] = std::exchange(paths, paths + traces_[t].ends.size());
+      first_in_media[t] = std::exchange(in_media, in_media + traces_[t].in_media.size());
+    }
     std::vector<std::vector<FoundPath>> found(traces_.size());
     parallel_for(static_cast<std::int64_t>(traces_.size()), 1, [&](std::int64_t t) {
       const PhotonTrace& trace = traces_[static_cast<std::size_t>(t)];
       std::vector<double> squares;  // by path and choice
-      std::size_t photon = 0, hidden = 0, curve = 0;
+      std::size_t photon = 0, hidden = 0, curve = 0, medium = 0;
       for (const PhotonTrace::End& end : trace.ends) {
         squares.resize(squares.size() + choices);
         double* const sums = &squares.back() + 1 - choices;
@@ -199,6 +205,9 @@ class Learner {
         for (; photon < end.photons; ++photon) visible.matte.for_each_gathering(trace.photons[photon], add);
         for (; hidden < end.hidden; ++hidden) visible.glossy.for_each_gathering(trace.hidden[hidden], add);
         for (; curve < end.on_curves; ++curve) visible.glossy.for_each_gathering(trace.on_curves[curve], add);
+        for (; medium < end.in_media; ++medium)
+          sums[choice_of(trace.in_media[medium].frames)] +=
+              in_beams[first_in_media[static_cast<std::size_t>(t)] + medium];
       }
       for (std::size_t i = 0; i < squares.size(); ++i) {
         const std::size_t choice = i % choices;
@@ -211,7 +220,7 @@ class Learner {
     std::vector<std::size_t> first_found(traces_.size());
     std::size_t count = 0;
     for (std::size_t t = 0; t < traces_.size(); ++t) {
-      round.work += traces_[t].paths.segments.done + traces_[t].photons.size();
+      round.work += traces_[t].paths.segments.done + traces_[t].photons.size() + traces_[t].in_media.size();
       first_found[t] = std::exchange(count, count + found[t].size());
     }
     round.found.refit(count);

@@ -11,9 +11,9 @@ namespace dspm {
 
 namespace {
 
-/// Photons bring all that media scatter, wherever they start: learning looks at surfaces alone.
+/// Photons bring all that media scatter.
 ProgressiveSettings suited_to(const Scene& scene, ProgressiveSettings settings) {
-  if (!scene.media.empty()) settings.may_choose = settings.guided = false;
+  if (!scene.media.empty()) settings.may_choose = false;
   return settings;
 }
 

@@ -29,15 +29,15 @@ void gather_beam(const CameraBeam& beam, const HitPointTile& tile, const MediumP
     with_own |= frames;
     frames.for_each([&](Frame f) { own[static_cast<std::size_t>(f)] += radiance; });
   };
-  counts.tests += photons.for_each_along(
-      beam, scale, [&](const MediumPhoton& photon, const Strand* strands, float t, float radius2) {
-        const FrameSet frames = photon.frames & beam.frames;
-        within.add(frames.count());
-        if (frames.empty() || !wanted(photon.light)) return;
-        const float phase = photon.phase.pdf_w(photon.w, -beam.ray.direction);
-        const Rgb radiance = photon.flux * section.left_at(t) * (phase / kernel_size(radius2));
-        for_each_strand(strands, frames, [&](FrameSet alike, const Rgb& weight) { add(alike, radiance * weight); });
-      });
+  counts.tests += photons.for_each_along(beam, scale, [&](const auto& found, float distance, float radius2) {
+    const MediumPhoton& photon = *found.photon;
+    const FrameSet frames = photon.frames & beam.frames;
+    within.add(frames.count());
+    if (frames.empty() || !wanted(photon.light)) return;
+    const float phase = photon.phase.pdf_w(photon.w, -beam.ray.direction);
+    const Rgb radiance = photon.flux * section.left_at(distance) * (phase / kernel_size(radius2));
+    for_each_strand(found.strands, frames, [&](FrameSet alike, const Rgb& weight) { add(alike, radiance * weight); });
+  });
   counts.found += within;
   for_each_strand(tile.strands.of(beam.strands), with_shared | with_own, [&](FrameSet alike, const Rgb& weight) {
     const Rgb factor = beam.throughput * weight;

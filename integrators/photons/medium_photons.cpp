@@ -37,7 +37,8 @@ std::uint64_t place_on_curve(const Vec3& p, const Bounds3& box) {
 void MediumPhotons::build(const std::vector<PhotonTrace>& traces) {
   photons_.clear();
   for (const PhotonTrace& trace : traces)
-    for (const MediumPhoton& photon : trace.in_media) photons_.push_back({&photon, trace.strands.of(photon.strands)});
+    for (const MediumPhoton& photon : trace.in_media)
+      photons_.push_back({&photon, trace.strands.of(photon.strands), static_cast<std::uint32_t>(photons_.size())});
   sort();
   build_nodes();
 }

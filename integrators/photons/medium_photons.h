@@ -39,8 +39,13 @@ class MediumPhotons {
   std::size_t size() const { return photons_.size(); }
   std::size_t bytes() const;
 
-  /// Calls fn(const MediumPhoton&, const Strand*, distance along the beam's ray, radius there squared) for every photon
-  /// within `scale` times the beam's radius of it; returns how many it tested.
+  struct Placed {
+    const MediumPhoton* photon;
+    const Strand* strands;
+    std::uint32_t number;  // in the order of the traces
+  };
+  /// Calls fn(const Placed&, distance along the beam's ray, radius there squared) for every photon within `scale` times the
+  /// beam's radius of it; returns how many it tested.
   template <class Fn>
   std::uint64_t for_each_along(const CameraBeam& beam, float scale, Fn&& fn) const;
 
@@ -49,10 +54,6 @@ class MediumPhotons {
   /// Boxes of eight children: low and high x, low and high y, low and high z. Those of none are inside out.
   struct Node {
     float planes[6][kWidth];
-  };
-  struct Placed {
-    const MediumPhoton* photon;
-    const Strand* strands;
   };
   /// A beam prepared for tests of boxes.
   struct Test {
@@ -99,8 +100,7 @@ std::uint64_t MediumPhotons::for_each_along(const CameraBeam& beam, float scale,
         const Vec3 way = photon.p - beam.ray.origin;
         const float t = dot(way, beam.ray.direction), radius = scale * beam.radius_at(t);
         if (!(t > beam.begin && t < beam.end) || photon.medium != beam.medium) continue;
-        if (length2(way - beam.ray.direction * t) < radius * radius)
-          fn(photon, photons_[n].strands, t, radius * radius);
+        if (length2(way - beam.ray.direction * t) < radius * radius) fn(photons_[n], t, radius * radius);
       }
     }
   }

@@ -35,7 +35,8 @@ class PhotonTracer {
     start(numbers_of(settings_, path_index, iteration));
     branches_.follow(*this);
     branches_.count_path();
-    if (settings_.keep_ends) out_.ends.push_back({out_.photons.size(), out_.hidden.size(), out_.on_curves.size()});
+    if (settings_.keep_ends)
+      out_.ends.push_back({out_.photons.size(), out_.hidden.size(), out_.on_curves.size(), out_.in_media.size()});
   }
   /// Call this after the last path.
   void finish() { energy_.finish(); }

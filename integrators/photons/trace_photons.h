@@ -57,7 +57,7 @@ struct PhotonTrace {
   std::vector<CurvePhoton> on_curves;  // likewise, on surfaces that turn
   std::vector<MediumPhoton> in_media;
   struct End {
-    std::size_t photons, hidden, on_curves;
+    std::size_t photons, hidden, on_curves, in_media;
   };
   std::vector<End> ends;  // of each path in these lists, if they are kept
   /// Of each of `photons`, if kept: the luminance that a camera path sees if it finds its way to the light along this
