@@ -6,6 +6,7 @@
 
 #include "dspm/base/params/errors.h"
 #include "dspm/testing/compare.h"
+#include "dspm/testing/promises.h"
 #include "dspm/testing/test_scene.h"
 
 namespace dspm {
@@ -219,19 +220,22 @@ std::string smoke(const std::string& density) {
                      density);
 }
 
-// Frames together are what each is alone: when the boundary moves, and when density and colour change.
-TEST(Media, OfFramesTogetherAreAsOfEachAlone) {
+std::string drifting(const std::string& integrator, const std::string& density) {
   const std::string wide = R"(LookAt 0 0 -4  0 0 0  0 1 0
 Camera "perspective" "float fov" 50
 )";
+  std::string text = looking(integrator, smoke(density), kFrames, "", "Frames 4");
+  const std::size_t camera = text.find("LookAt"), world = text.find("WorldBegin");
+  return text.replace(camera, world - camera, wide);
+}
+
+// Frames together are what each is alone: when the boundary moves, and when density and colour change.
+TEST(Media, OfFramesTogetherAreAsOfEachAlone) {
   for (const char* density :
        {"", R"("float scale@1" 1 "float scale@4" 2)", R"("rgb sigma_s@1" [1 1 1] "rgb sigma_s@4" [.2 .6 1])"}) {
     for (const char* integrator : {R"("path" "integer maxdepth" 6)", R"("dsppm" "integer photons" 3000)",
                                    R"("dsppm" "integer photons" 3000 "string estimator" "hj09")"}) {
-      std::string text = looking(integrator, smoke(density), kFrames, "", "Frames 4");
-      const std::size_t camera = text.find("LookAt"), world = text.find("WorldBegin");
-      text.replace(camera, world - camera, wide);
-      TestScene test(text);
+      TestScene test(drifting(integrator, density));
       const auto scene = test.scene(test.all_frames());
       const auto together = test.integrator(*scene);
       for (int i = 0; i < 3; ++i) together->iterate({i, *scene});
@@ -239,6 +243,32 @@ Camera "perspective" "float fov" 50
         EXPECT_LE(max_difference(together->estimate(f), test.render(FileFrame(f), 3)), 1e-4)
             << integrator << density << ", frame " << f + 1;
       EXPECT_GT(max_difference(together->estimate(0), together->estimate(3)), 1e-2) << integrator << density;
+    }
+  }
+}
+
+TEST(Media, KeepThePromises) {
+  for (const char* integrator :
+       {R"("path" "integer maxdepth" 6)", R"("dsppm" "integer photons" 3000)", R"("sppm" "integer photons" 3000)"}) {
+    const std::string text = drifting(integrator, R"("float scale@1" 1 "float scale@4" 2)");
+    for (const test::Verdict& verdict :
+         {test::check_threads(text, 2), test::check_resume(text, 4), test::check_crop(text, 2)})
+      EXPECT_TRUE(verdict.passed) << integrator << verdict.message;
+  }
+}
+
+// What lamps send out is absorbed, escapes or ends, in expectation also where colours are weighted.
+TEST(Media, LoseNoEnergy) {
+  for (const char* sigma_s : {"[2 2 2]", "[.2 1 3]"}) {
+    TestScene test(drifting(R"("dsppm" "integer photons" 20000 "integer maxdepth" 50)",
+                            fmt::format("\"rgb sigma_s\" {}", sigma_s)));
+    const auto scene = test.scene(test.all_frames());
+    const auto integrator = test.integrator(*scene);
+    integrator->iterate({0, *scene});
+    for (const EnergyBalance& e : integrator->statistics().energy) {
+      ASSERT_GT(e.emitted, 0);
+      EXPECT_NEAR((e.absorbed + e.escaped + e.terminated + e.roulette) / e.emitted, 1, 1e-5) << sigma_s;
+      EXPECT_GT(e.absorbed / e.emitted, 0.05) << sigma_s;
     }
   }
 }
