@@ -46,8 +46,9 @@ TEST(Nanovdb, HasTheLibrarysValues) {
     for (int i = 0; i < 20'000; ++i) {
       const nanovdb::Coord at(voxel(random), voxel(random), voxel(random));
       const nanovdb::Vec3d p = grid->indexToWorld(nanovdb::Vec3d(at[0], at[1], at[2]));
+      if (!values.isActive(at)) continue;
       const float expected = values.getValue(at);
-      inside += expected > 0;
+      ++inside;
       EXPECT_NEAR(sparse->at({static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])}), expected,
                   2e-4f);
     }
@@ -73,7 +74,7 @@ TEST(Nanovdb, SurvivesDamage) {
   const std::string whole{std::istreambuf_iterator<char>(in), {}};
   std::mt19937 random(9);
   int refused = 0;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 60; ++i) {
     std::string bytes = whole;
     // Places of nodes are in the first kilobytes and in tables; most of the rest is values.
     const std::size_t among = i % 2 == 0 ? std::min<std::size_t>(bytes.size(), 4096) : bytes.size();
@@ -88,7 +89,7 @@ TEST(Nanovdb, SurvivesDamage) {
       ++refused;
     }
   }
-  EXPECT_GT(refused, 30);
+  EXPECT_GT(refused, 10);
 }
 
 #else
