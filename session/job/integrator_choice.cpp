@@ -56,9 +56,28 @@ void take_photons_in_proportion(ParamList& list, const std::vector<ParamInfo>& d
   set_integer(list, "photons", quick_photons(asked));
 }
 
-/// Returns the plugin for the scene's own directive.
-const IntegratorPlugin* find_by_directive(const PluginUse& use, Diagnostics& diagnostics) {
-  const std::string_view by = stand_in_for(use.type);
+/// Returns the first interface that names a medium; null if there is none.
+const MediumInterfaceUse* first_with_media(const SceneDescription& description) {
+  const auto& uses = description.medium_interfaces;
+  const auto first = std::find_if(uses.begin(), uses.end(), [](const MediumInterfaceUse& use) {
+    return !use.inside.empty() || !use.outside.empty();
+  });
+  return first == uses.end() ? nullptr : &*first;
+}
+
+void refuse_media_unless_seen(const SceneDescription& description, const IntegratorPlugin& plugin,
+                              Diagnostics& diagnostics) {
+  const MediumInterfaceUse* const media = plugin.sees_media ? nullptr : first_with_media(description);
+  if (media != nullptr)
+    diagnostics.unsupported(media->where, fmt::format("integrator \"{}\" sees no media", plugin.name),
+                            "dsppm, sppm and path do; with --lenient, they are empty");
+}
+
+/// Returns the plugin for the scene's own directive. Where another one stands in, it sees media if there are any.
+const IntegratorPlugin* find_by_directive(const SceneDescription& description, const PluginUse& use,
+                                          Diagnostics& diagnostics) {
+  std::string_view by = stand_in_for(use.type);
+  if (by == "vcm" && first_with_media(description) != nullptr) by = "path";
   const bool is_stood_in_for = !by.empty() && integrator_plugins().find(use.type) == nullptr;
   if (is_stood_in_for)
     diagnostics.note(use.where, fmt::format("integrator \"{}\" is rendered by \"{}\"{}", use.type, by,
@@ -79,15 +98,6 @@ void keep_known(ParamList& list, const PluginUse& use, const Plugin<MakeIntegrat
                                               use.type, plugin.name));
     return true;
   });
-}
-
-void refuse_media_unless_seen(const SceneDescription& description, const IntegratorPlugin& plugin,
-                              Diagnostics& diagnostics) {
-  if (plugin.sees_media) return;
-  for (const MediumInterfaceUse& use : description.medium_interfaces)
-    if (!use.inside.empty() || !use.outside.empty())
-      return diagnostics.unsupported(use.where, fmt::format("integrator \"{}\" sees no media", plugin.name),
-                                     "dsppm, sppm and path do; with --lenient, they are empty");
 }
 
 /// Makes sppm without parameters what pbrt makes of it in a .pbrt file; dspm's own defaults differ.
@@ -130,7 +140,7 @@ IntegratorChoice choose_integrator(const SceneDescription& description, const Ch
   if (!choices.integrator.empty()) {
     choice.plugin = by_name(choices.integrator);
   } else if (use) {
-    choice.plugin = find_by_directive(*use, diagnostics);
+    choice.plugin = find_by_directive(description, *use, diagnostics);
     if (choice.plugin == nullptr && diagnostics.lenient()) choice.plugin = by_name("path");
   } else {
     choice.plugin = by_name(usual);
