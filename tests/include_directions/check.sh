@@ -22,6 +22,7 @@ BEGIN {
   confined["^nlohmann/"] = "^lang/gltf/value[.]"
   confined["^draco/"] = "^lang/gltf/draco[.]"
   confined["^meshoptimizer[.]h"] = "^lang/gltf/meshopt[.]"
+  confined["^nanovdb/"] = "^media/read_nanovdb[.]"
   confined["^boost/(asio|beast)"] = "^looking/serve/http_"
   confined["^CGAL/"] = "^(shapes/(cgal_mesh|mesh_check|mesh_repair|loopsubdiv)|scenes/generator/simplify)[.]"
 

@@ -222,7 +222,7 @@ class EveryIntegrator : public testing::TestWithParam<Way> {};
 // 32 sharp frames at the middles of 32 parts of the shutter, after one that does not count.
 TEST_P(EveryIntegrator, GivesTheMeanOfSharpImages) {
   const Way& way = GetParam();
-  const int times = seeds(8);
+  const int times = seeds(5);
   TestScene sharp(moving_box(way.integrator, "33", "1.5", "33.5", ""));
   std::vector<std::vector<Image>> means;
   for (int seed = 1; seed <= times; ++seed) {
