@@ -23,6 +23,7 @@ struct DrawnDirective {
   std::string plugin;  // kind:name, or empty
   std::string head;
   std::vector<std::string> params = {};
+  bool needs_medium = false;  // it goes when the medium goes
   bool is_plugin() const { return !plugin.empty(); }
 };
 
@@ -35,6 +36,9 @@ class DescribedScene {
     add(fmt::format("Frames {}", frames_));
     use("integrator", "Integrator \"{}\"");
     has_catchers_ = directives_.back().plugin != "integrator:ambientocclusion" && chance(0.1);  // it refuses them
+    const std::string& integrator = directives_.back().plugin;
+    const bool sees_media =
+        integrator == "integrator:path" || integrator == "integrator:dsppm" || integrator == "integrator:sppm";
     if (chance(0.3)) use("accelerator", "Accelerator \"{}\"");
     use("filter", "PixelFilter \"{}\"");
     use("film", "Film \"{}\" \"integer xresolution\" 12 \"integer yresolution\" 8 \"string filename\" \"a.exr\"");
@@ -45,6 +49,7 @@ class DescribedScene {
     add("MakeNamedMaterial \"metal\" \"string type\" \"conductor\" \"float roughness\" 0.1");
     for (int i = 0; i < kTextures; ++i) add_texture(i);
     add_lights();
+    if (sees_media && chance(0.4)) add_medium();
     for (int i = whole(2, 5); i > 0; --i) add_thing(i);
     if (chance(0.3)) add_product();
   }
@@ -68,7 +73,7 @@ class DescribedScene {
         continue;
       }
       if (line > 1) return each->params.erase(each->params.begin() + line - 2), true;
-      if (!each->is_plugin()) return false;
+      if (!each->is_plugin() && !each->needs_medium) return false;
       if (!each->params.empty()) return each->params.clear(), true;
       return directives_.erase(each), true;
     }
@@ -107,7 +112,7 @@ class DescribedScene {
         DrawnDirective{kind + ":" + plugin.name, fmt::format(fmt::runtime(directive), plugin.name)});
     for (const ParamInfo& info : plugin.params()) {
       if (drawn.head.find(" " + info.name + "\"") != std::string::npos) continue;
-      if (light_ == Light::furnace && info.name == "emission") continue;
+      if (light_ == Light::furnace && (info.name == "emission" || info.name == "Le")) continue;
       if (info.name == "shadowcatcher" && !has_catchers_) continue;
       const bool needed = info.default_value == "required" || info.default_value.empty();
       if (needed || is_costly(info) || chance(0.4)) add_param(info, drawn);
@@ -199,6 +204,25 @@ class DescribedScene {
       use("light", "LightSource \"{}\"");
       add("AttributeEnd");
     }
+  }
+
+  /// A ball of a medium. Grids have values for each of their voxels.
+  void add_medium() {
+    use("medium", "MakeNamedMedium \"smoke\" \"string type\" \"{}\"");
+    DrawnDirective& drawn = directives_.back();
+    const auto gives = [&](const char* name) {
+      return [name](const std::string& param) { return param.find(std::string(" ") + name + "\"") != param.npos; };
+    };
+    for (const char* name : {"nx", "ny", "nz", "density", "temperature", "Lescale"})
+      if (drawn.plugin.ends_with("grid")) std::erase_if(drawn.params, gives(name));
+    if (drawn.plugin == "medium:uniformgrid")
+      drawn.head += " \"integer nx\" 2 \"integer nz\" 2 \"float density\" [0 1 .5 2]";
+    directives_.push_back({{},
+                           fmt::format("AttributeBegin MediumInterface \"smoke\" \"\" Material \"interface\" Translate "
+                                       "{:.2f} {:.2f} {:.2f} Shape \"sphere\" \"float radius\" {:.2f} AttributeEnd",
+                                       real(-1, 1), real(-1, 1), real(-1, 1), real(0.3, 2)),
+                           {},
+                           true});
   }
 
   /// Between keys no scale may pass through 0, so both mirror or none.

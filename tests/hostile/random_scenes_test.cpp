@@ -132,6 +132,7 @@ TEST(RandomScenes, GainNoEnergy) {
 TEST(RandomScenes, HoldEveryPlugin) {
   std::set<std::string> missing;
   for (const CatalogueEntry& entry : all_plugins()) missing.insert(entry.kind + ":" + entry.name);
+  missing.erase("medium:nanovdb");  // tests/media/nanovdb writes its files
   for (unsigned seed = 1; seed <= 300 && !missing.empty(); ++seed) {
     DescribedScene scene(seed);
     const std::vector<std::string> drawn = scene.plugins();

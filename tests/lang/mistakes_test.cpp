@@ -340,7 +340,7 @@ const Mistake kAnimation[] = {
      "scene.dsc:1:12: error: parameters of Film cannot change between frames\n"
      "    1 | Film \"rgb\" \"integer xresolution@2\" 3\n"
      "      |            ^~~~~~~~~~~~~~~~~~~~~~~\n"
-     "  those of Camera, materials, textures, lights and shapes in Dynamic blocks can\n"},
+     "  those of Camera, materials, media, textures, lights and shapes in Dynamic blocks can\n"},
     {"Frames 4\nWorldBegin\nShape \"sphere\" \"float radius@2\" 3",
      "scene.dsc:3:16: error: only shapes in a Dynamic block may differ between frames\n"
      "    3 | Shape \"sphere\" \"float radius@2\" 3\n"

@@ -33,6 +33,7 @@ TEST_P(VariationMistakes, AreTold) {
 const VariationMistake kPlaces[] = {
     {"AxisBegin \"a\"\nVariationBegin \"b\" Shape \"sphere\" VariationEnd AxisEnd",
      {"7:20: Shape is not allowed in VariationBegin \"b\" (line 7) | a variation contains MakeNamedMaterial, "
+      "MakeNamedMedium, "
       "Texture, Light, LightSource, AreaLightSource, Show, Hide, Dynamic blocks, Camera and Integrator"}},
     {"AxisBegin \"a\"\nShow \"cushion\"\nVariationBegin \"b\" Show \"cushion\" VariationEnd AxisEnd",
      {"7:1: Show is only allowed in a variation | VariationBegin \"a name\" begins one"}},
