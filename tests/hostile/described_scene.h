@@ -36,9 +36,7 @@ class DescribedScene {
     add(fmt::format("Frames {}", frames_));
     use("integrator", "Integrator \"{}\"");
     has_catchers_ = directives_.back().plugin != "integrator:ambientocclusion" && chance(0.1);  // it refuses them
-    const std::string& integrator = directives_.back().plugin;
-    const bool sees_media =
-        integrator == "integrator:path" || integrator == "integrator:dsppm" || integrator == "integrator:sppm";
+    const bool sees_media = may_see_media(directives_.back());
     if (chance(0.3)) use("accelerator", "Accelerator \"{}\"");
     use("filter", "PixelFilter \"{}\"");
     use("film", "Film \"{}\" \"integer xresolution\" 12 \"integer yresolution\" 8 \"string filename\" \"a.exr\"");
@@ -204,6 +202,13 @@ class DescribedScene {
       use("light", "LightSource \"{}\"");
       add("AttributeEnd");
     }
+  }
+
+  static bool may_see_media(const DrawnDirective& integrator) {
+    const auto leaves_them_out = [](const std::string& param) { return param.find("\"paths\"") != param.npos; };
+    return (integrator.plugin == "integrator:path" || integrator.plugin == "integrator:dsppm" ||
+            integrator.plugin == "integrator:sppm") &&
+           std::none_of(integrator.params.begin(), integrator.params.end(), leaves_them_out);
   }
 
   /// A ball of a medium. Grids have values for each of their voxels.
