@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "dspm/base/system/parallel.h"
 #include "dspm/integrators/photons/trace_photons.h"
@@ -35,47 +37,66 @@ std::uint64_t place_on_curve(const Vec3& p, const Bounds3& box) {
 }  // namespace
 
 void MediumPhotons::build(const std::vector<PhotonTrace>& traces) {
-  photons_.clear();
+  std::map<std::pair<int, std::uint64_t>, std::vector<Placed>> alike;  // by medium and frames
+  count_ = 0;
   for (const PhotonTrace& trace : traces)
     for (const MediumPhoton& photon : trace.in_media)
-      photons_.push_back({&photon, trace.strands.of(photon.strands), static_cast<std::uint32_t>(photons_.size())});
-  sort();
-  build_nodes();
+      alike[{photon.medium, photon.frames.bits()}].push_back(
+          {&photon, trace.strands.of(photon.strands), static_cast<std::uint32_t>(count_++)});
+  trees_.clear();
+  Tree mixed{{}, kMixed, {}};
+  for (auto& [key, photons] : alike) {
+    const FrameSet frames(key.second);
+    if (photons.size() >= kMany) {
+      trees_.push_back({frames, key.first, std::move(photons)});
+      continue;
+    }
+    mixed.frames |= frames;
+    mixed.photons.insert(mixed.photons.end(), photons.begin(), photons.end());
+  }
+  if (!mixed.photons.empty()) trees_.push_back(std::move(mixed));
+  parallel_for(static_cast<std::int64_t>(trees_.size()), 1, [&](std::int64_t i) {
+    Tree& tree = trees_[static_cast<std::size_t>(i)];
+    tree.sort(), tree.build_nodes();
+  });
 }
 
 std::size_t MediumPhotons::bytes() const {
-  std::size_t sum = photons_.capacity() * sizeof(Placed);
-  for (const auto& level : levels_) sum += level.capacity() * sizeof(Node);
+  std::size_t sum = 0;
+  for (const Tree& tree : trees_) {
+    sum += tree.photons.capacity() * sizeof(Placed);
+    for (const auto& level : tree.levels) sum += level.capacity() * sizeof(Node);
+  }
   return sum;
 }
 
 /// Photons at the same place stay in the order of the traces.
-void MediumPhotons::sort() {
+void MediumPhotons::Tree::sort() {
   Bounds3 box;
-  for (const Placed& placed : photons_) box.add(placed.photon->p);
+  for (const Placed& placed : photons) box.add(placed.photon->p);
   struct Key {
     std::uint64_t place;
     std::uint32_t index;
   };
-  std::vector<Key> keys(photons_.size());
+  std::vector<Key> keys(photons.size());
   parallel_for(static_cast<std::int64_t>(keys.size()), 1 << 12, [&](std::int64_t i) {
     const auto at = static_cast<std::size_t>(i);
-    keys[at] = {place_on_curve(photons_[at].photon->p, box), static_cast<std::uint32_t>(i)};
+    keys[at] = {place_on_curve(photons[at].photon->p, box), static_cast<std::uint32_t>(i)};
   });
   std::sort(keys.begin(), keys.end(),
             [](const Key& a, const Key& b) { return a.place != b.place ? a.place < b.place : a.index < b.index; });
   std::vector<Placed> sorted;
-  sorted.reserve(photons_.size());
-  for (const Key& key : keys) sorted.push_back(photons_[key.index]);
-  photons_ = std::move(sorted);
+  sorted.reserve(photons.size());
+  for (const Key& key : keys) sorted.push_back(photons[key.index]);
+  photons = std::move(sorted);
 }
 
-void MediumPhotons::build_nodes() {
-  levels_.clear();
-  std::vector<Bounds3> boxes((photons_.size() + kWidth - 1) / kWidth);
-  for (std::size_t i = 0; i < photons_.size(); ++i) boxes[i / kWidth].add(photons_[i].photon->p);
+void MediumPhotons::Tree::build_nodes() {
+  levels.clear();
+  std::vector<Bounds3> boxes((photons.size() + kWidth - 1) / kWidth);
+  for (std::size_t i = 0; i < photons.size(); ++i) boxes[i / kWidth].add(photons[i].photon->p);
   while (!boxes.empty()) {
-    std::vector<Node>& level = levels_.emplace_back((boxes.size() + kWidth - 1) / kWidth);
+    std::vector<Node>& level = levels.emplace_back((boxes.size() + kWidth - 1) / kWidth);
     std::vector<Bounds3> parents(level.size());
     for (std::size_t i = 0; i < level.size() * kWidth; ++i) {
       const Bounds3 box = i < boxes.size() ? boxes[i] : Bounds3();
