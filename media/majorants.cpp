@@ -7,10 +7,14 @@ namespace {
 
 constexpr int kMostCells = 32;  // along the longest axis
 
-float component(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-float& component(Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
 Rgb largest(const Rgb& a, const Rgb& b) { return {std::max(a.r, b.r), std::max(a.g, b.g), std::max(a.b, b.b)}; }
+
+/// The part of a box that a medium can fill.
+Bounds3 filled_part(const Bounds3& box, const Medium& medium) {
+  const auto extent = medium.extent();
+  return extent ? Bounds3{max(box.low, extent->low), min(box.high, extent->high)} : box;
+}
 
 }  // namespace
 
@@ -25,21 +29,22 @@ Majorants::Majorants(std::span<const Medium* const> states) {
   const Vec3 size = extent_.extent();
   const float longest = std::max({size.x, size.y, size.z});
   for (int axis = 0; axis < 3 && !everywhere_ && !extent_.empty(); ++axis) {
-    const float cells = std::ceil(kMostCells * component(size, axis) / longest);
+    const float cells = std::ceil(kMostCells * size[axis] / longest);
     counts_[static_cast<std::size_t>(axis)] = std::clamp(static_cast<int>(cells), 1, kMostCells);
   }
   const auto plane = [&](int axis, int i) {
     const int count = counts_[static_cast<std::size_t>(axis)];
-    if (i == 0) return component(extent_.low, axis);
-    if (i == count) return component(extent_.high, axis);
-    return component(extent_.low, axis) + component(size, axis) * static_cast<float>(i) / static_cast<float>(count);
+    if (i == 0) return extent_.low[axis];
+    if (i == count) return extent_.high[axis];
+    return extent_.low[axis] + size[axis] * static_cast<float>(i) / static_cast<float>(count);
   };
   for (int z = 0; z < counts_[2]; ++z)
     for (int y = 0; y < counts_[1]; ++y)
       for (int x = 0; x < counts_[0]; ++x) {
         const Bounds3 box{{plane(0, x), plane(1, y), plane(2, z)}, {plane(0, x + 1), plane(1, y + 1), plane(2, z + 1)}};
         Rgb most;
-        for (const Medium* state : states) most = largest(most, state->majorant(box));
+        for (const Medium* state : states)
+          if (const Bounds3 part = filled_part(box, *state); !part.empty()) most = largest(most, state->majorant(part));
         cells_.push_back(most);
       }
 }
@@ -48,8 +53,8 @@ TentativeCollisions::TentativeCollisions(const Majorants& majorants, const Ray& 
     : majorants_(majorants), ray_(ray), colour_(colour) {
   if (majorants.everywhere_) return;
   for (int axis = 0; axis < 3; ++axis) {
-    const float o = component(ray.origin, axis), d = component(ray.direction, axis);
-    const float low = component(majorants.extent_.low, axis), high = component(majorants.extent_.high, axis);
+    const float o = ray.origin[axis], d = ray.direction[axis];
+    const float low = majorants.extent_.low[axis], high = majorants.extent_.high[axis];
     if (d == 0) {
       if (!(o >= low && o <= high)) t_out_ = -1;
       continue;
@@ -69,12 +74,12 @@ void TentativeCollisions::enter() {
   for (int axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     const int count = majorants_.counts_[a];
-    const float low = component(majorants_.extent_.low, axis),
-                width = component(size, axis) / static_cast<float>(count);
-    cell_[a] = std::clamp(static_cast<int>((component(p, axis) - low) / width), 0, count - 1);
-    const float d = component(ray_.direction, axis);
+    const float low = majorants_.extent_.low[axis],
+                width = size[axis] / static_cast<float>(count);
+    cell_[a] = std::clamp(static_cast<int>((p[axis] - low) / width), 0, count - 1);
+    const float d = ray_.direction[axis];
     const float plane = low + width * static_cast<float>(cell_[a] + (d > 0));
-    component(t_next_, axis) = d == 0 ? kInfinity : (plane - component(ray_.origin, axis)) / d;
+    t_next_[axis] = d == 0 ? kInfinity : (plane - ray_.origin[axis]) / d;
   }
   majorant_ = majorants_.of(cell_);
   t_cell_ = std::max(t_, std::min({t_next_.x, t_next_.y, t_next_.z, t_out_}));
@@ -83,14 +88,14 @@ void TentativeCollisions::enter() {
 void TentativeCollisions::enter_next_cell() {
   const int axis = t_next_.x <= t_next_.y && t_next_.x <= t_next_.z ? 0 : t_next_.y <= t_next_.z ? 1 : 2;
   const auto a = static_cast<std::size_t>(axis);
-  const float d = component(ray_.direction, axis);
+  const float d = ray_.direction[axis];
   cell_[a] += d > 0 ? 1 : -1;
   if (cell_[a] < 0 || cell_[a] >= majorants_.counts_[a]) {
     t_out_ = std::min(t_out_, t_);
     return;
   }
-  const float width = component(majorants_.extent_.extent(), axis) / static_cast<float>(majorants_.counts_[a]);
-  component(t_next_, axis) += width / std::abs(d);
+  const float width = majorants_.extent_.extent()[axis] / static_cast<float>(majorants_.counts_[a]);
+  t_next_[axis] += width / std::abs(d);
   majorant_ = majorants_.of(cell_);
   t_cell_ = std::max(t_, std::min({t_next_.x, t_next_.y, t_next_.z, t_out_}));
 }

@@ -11,18 +11,19 @@ MediumBox::MediumBox(ParamReader& reader, const Transform& to_world) : to_world_
 }
 
 Vec3 MediumBox::place_of(const Vec3& p) const {
-  const Vec3 from_corner = to_world_.inverse_point(p) - box_.low, size = box_.extent();
-  return {from_corner.x / size.x, from_corner.y / size.y, from_corner.z / size.z};
+  return place_in_box(to_world_.inverse_point(p));
 }
 
 Bounds3 MediumBox::places_of(const Bounds3& box) const {
   constexpr float kRounding = 1e-4f;
-  Bounds3 places;
-  for (int corner = 0; corner < 8; ++corner)
-    places.add(place_of({(corner & 1 ? box.high : box.low).x, (corner & 2 ? box.high : box.low).y,
-                         (corner & 4 ? box.high : box.low).z}));
+  const Bounds3 in_medium = to_world_.inverse_bounds(box);
   const Vec3 more{kRounding, kRounding, kRounding};
-  return {places.low - more, places.high + more};
+  return {place_in_box(in_medium.low) - more, place_in_box(in_medium.high) + more};
+}
+
+Vec3 MediumBox::place_in_box(const Vec3& p) const {
+  const Vec3 from_corner = p - box_.low, size = box_.extent();
+  return {from_corner.x / size.x, from_corner.y / size.y, from_corner.z / size.z};
 }
 
 }  // namespace dspm

@@ -20,6 +20,8 @@ class MediumBox {
   Bounds3 extent() const { return to_world_.bounds(box_); }
 
  private:
+  Vec3 place_in_box(const Vec3& p) const;  // of medium space
+
   Transform to_world_;
   Bounds3 box_;
 };

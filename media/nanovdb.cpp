@@ -51,11 +51,7 @@ class SparseMedium final : public Medium {
   }
 
   Rgb majorant(const Bounds3& box) const override {
-    Bounds3 place;
-    for (int corner = 0; corner < 8; ++corner)
-      place.add(to_world_.inverse_point({(corner & 1 ? box.high : box.low).x, (corner & 2 ? box.high : box.low).y,
-                                         (corner & 4 ? box.high : box.low).z}));
-    return (coefficients_.sigma_a + coefficients_.sigma_s) * density_.largest_in(place);
+    return (coefficients_.sigma_a + coefficients_.sigma_s) * density_.largest_in(to_world_.inverse_bounds(box));
   }
 
   std::optional<Bounds3> extent() const override { return to_world_.bounds(density_.extent()); }

@@ -9,8 +9,6 @@ namespace {
 
 constexpr std::int64_t kMostBlocks = std::int64_t{1} << 28;
 
-float& coordinate(Vec3& v, std::size_t axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-
 }  // namespace
 
 SparseGrid::SparseGrid(const Index& low, const Index& high, const Transform& to_medium)
@@ -74,18 +72,16 @@ float SparseGrid::at(const Vec3& p) const {
 }
 
 float SparseGrid::largest_in(const Bounds3& box) const {
-  Bounds3 voxels;
-  for (int corner = 0; corner < 8; ++corner)
-    voxels.add(to_medium_.inverse_point({(corner & 1 ? box.high : box.low).x, (corner & 2 ? box.high : box.low).y,
-                                         (corner & 4 ? box.high : box.low).z}));
+  const Bounds3 voxels = to_medium_.inverse_bounds(box);
   Index begin, end;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto most = static_cast<float>(counts_[axis]);
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    const auto most = static_cast<float>(counts_[a]), low = static_cast<float>(low_[a]);
     // A voxel further on each side, for what lies in between and for rounding.
-    const float first = std::floor((coordinate(voxels.low, axis) - static_cast<float>(low_[axis]) - 1.01f) / kSide),
-                last = std::floor((coordinate(voxels.high, axis) - static_cast<float>(low_[axis]) + 1.01f) / kSide);
-    begin[axis] = static_cast<int>(std::clamp(first, 0.f, most)),
-    end[axis] = static_cast<int>(std::clamp(last + 1, 0.f, most));
+    const float first = std::floor((voxels.low[axis] - low - 1.01f) / kSide),
+                last = std::floor((voxels.high[axis] - low + 1.01f) / kSide);
+    begin[a] = static_cast<int>(std::clamp(first, 0.f, most));
+    end[a] = static_cast<int>(std::clamp(last + 1, 0.f, most));
   }
   float largest = 0;
   for (int x = begin[0]; x < end[0]; ++x)
@@ -98,9 +94,10 @@ float SparseGrid::largest_in(const Bounds3& box) const {
 
 Bounds3 SparseGrid::extent() const {
   Vec3 low, high;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    coordinate(low, axis) = static_cast<float>(low_[axis] - 1);
-    coordinate(high, axis) = static_cast<float>(low_[axis]) + static_cast<float>(counts_[axis]) * kSide;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    low[axis] = static_cast<float>(low_[a] - 1);
+    high[axis] = static_cast<float>(low_[a]) + static_cast<float>(counts_[a]) * kSide;
   }
   return to_medium_.bounds({low, high});
 }

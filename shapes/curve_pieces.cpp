@@ -1,45 +1,16 @@
 #include "dspm/shapes/curve_pieces.h"
 
 #include <algorithm>
-#include <compare>
 #include <utility>
 #include <vector>
 
 #include "dspm/base/math/vec.h"
+#include "dspm/base/math/z_curve.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/base/system/parallel_sort.h"
 
 namespace dspm {
 namespace {
-
-constexpr int kZBits = 63;  // of a place along the curve
-
-/// Returns the lowest 21 bits of v, with two zeros after each.
-std::uint64_t spread(std::uint64_t v) {
-  v = (v | v << 32) & 0x001f00000000ffffu;
-  v = (v | v << 16) & 0x001f0000ff0000ffu;
-  v = (v | v << 8) & 0x100f00f00f00f00fu;
-  v = (v | v << 4) & 0x10c30c30c30c30c3u;
-  return (v | v << 2) & 0x1249249249249249u;
-}
-
-/// Interleaves the bits of the coordinates within the box. [Morton 1966]
-std::uint64_t place_along_z_curve(const Vec3& p, const Bounds3& box) {
-  constexpr int kMost = (1 << kZBits / 3) - 1;
-  std::uint64_t place = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const float share = (p[axis] - box.low[axis]) / (box.high[axis] - box.low[axis]);
-    place |= spread(static_cast<std::uint64_t>(std::clamp(share > 0 ? share : 0, 0.f, 1.f) * kMost)) << axis;
-  }
-  return place;
-}
-
-/// A piece's place along the curve through space, and its number.
-struct Place {
-  std::uint64_t along;
-  std::uint32_t number;
-  friend auto operator<=>(const Place&, const Place&) = default;
-};
 
 /// The pieces of segments that follow one another.
 class Cut {
@@ -135,7 +106,7 @@ class Sorting {
   std::uint64_t place_of(const CurvePiece& piece) const {
     return place_along_z_curve(piece.start + piece.chord * 0.5f, box_);
   }
-  std::size_t cell_of(const CurvePiece& piece) const { return place_of(piece) >> (kZBits - cell_bits_); }
+  std::size_t cell_of(const CurvePiece& piece) const { return place_of(piece) >> (kZCurveBits - cell_bits_); }
 
   /// Counts where the pieces of each cell begin, and among them those of each list.
   void count() {
@@ -152,7 +123,7 @@ class Sorting {
   }
 
   void sort(std::span<CurvePiece> cell) const {
-    UntouchedVector<Place> places(cell.size());
+    UntouchedVector<AlongZCurve> places(cell.size());
     for (std::uint32_t i = 0; i < cell.size(); ++i) places[i] = {place_of(cell[i]), i};
     parallel_sort(places);
     const std::vector<CurvePiece> before(cell.begin(), cell.end());

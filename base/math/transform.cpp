@@ -109,12 +109,12 @@ Transform::Transform(const Matrix4& matrix) {
     }
 }
 
-Bounds3 Transform::bounds(const Bounds3& b) const {
+Bounds3 Transform::bounds(const Rows& r, const Bounds3& b) {
   Bounds3 result;
   if (b.empty()) return result;
   for (int corner = 0; corner < 8; ++corner)
-    result.add(
-        point({corner & 1 ? b.high.x : b.low.x, corner & 2 ? b.high.y : b.low.y, corner & 4 ? b.high.z : b.low.z}));
+    result.add(apply(
+        r, {corner & 1 ? b.high.x : b.low.x, corner & 2 ? b.high.y : b.low.y, corner & 4 ? b.high.z : b.low.z}, 1));
   return result;
 }
 

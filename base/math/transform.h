@@ -49,7 +49,8 @@ class Transform {
   Ray inverse_ray(const Ray& ray) const {
     return {inverse_point(ray.origin), inverse_vector(ray.direction), ray.t_max};
   }
-  Bounds3 bounds(const Bounds3& b) const;
+  Bounds3 bounds(const Bounds3& b) const { return bounds(forward_, b); }
+  Bounds3 inverse_bounds(const Bounds3& b) const { return bounds(backward_, b); }
   /// An upper bound on the rounding error of point(p), per coordinate.
   Vec3 point_error(const Vec3& p) const;
   bool is_identity() const;
@@ -66,6 +67,7 @@ class Transform {
             r[1][0] * v.x + r[1][1] * v.y + r[1][2] * v.z + r[1][3] * w,
             r[2][0] * v.x + r[2][1] * v.y + r[2][2] * v.z + r[2][3] * w};
   }
+  static Bounds3 bounds(const Rows& r, const Bounds3& b);
   static Vec3 apply_transposed(const Rows& r, const Vec3& v) {
     return {r[0][0] * v.x + r[1][0] * v.y + r[2][0] * v.z, r[0][1] * v.x + r[1][1] * v.y + r[2][1] * v.z,
             r[0][2] * v.x + r[1][2] * v.y + r[2][2] * v.z};

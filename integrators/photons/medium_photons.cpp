@@ -5,37 +5,12 @@
 #include <map>
 #include <utility>
 
+#include "dspm/base/math/z_curve.h"
 #include "dspm/base/system/parallel.h"
+#include "dspm/base/system/parallel_sort.h"
 #include "dspm/integrators/photons/trace_photons.h"
 
 namespace dspm {
-namespace {
-
-constexpr int kBits = 21;  // of a place along each axis
-
-/// Spreads the lowest bits out, two zeros after each.
-std::uint64_t spread_bits(std::uint64_t v) {
-  v &= (std::uint64_t{1} << kBits) - 1;
-  v = (v | v << 32) & 0x1f00000000ffffu;
-  v = (v | v << 16) & 0x1f0000ff0000ffu;
-  v = (v | v << 8) & 0x100f00f00f00f00fu;
-  v = (v | v << 4) & 0x10c30c30c30c30c3u;
-  return (v | v << 2) & 0x1249249249249249u;
-}
-
-/// Returns the place of a point on Morton's curve through the box.
-std::uint64_t place_on_curve(const Vec3& p, const Bounds3& box) {
-  const Vec3 size = box.extent(), from = p - box.low;
-  const auto cell = [](float from_low, float width) {
-    constexpr float kCells = static_cast<float>(1 << kBits) - 1;
-    return width > 0 ? static_cast<std::uint64_t>(std::clamp(from_low / width, 0.f, 1.f) * kCells) : 0;
-  };
-  return spread_bits(cell(from.x, size.x)) | spread_bits(cell(from.y, size.y)) << 1 |
-         spread_bits(cell(from.z, size.z)) << 2;
-}
-
-}  // namespace
-
 void MediumPhotons::build(const std::vector<PhotonTrace>& traces) {
   std::map<std::pair<int, std::uint64_t>, std::vector<Placed>> alike;  // by medium and frames
   count_ = 0;
@@ -74,20 +49,15 @@ std::size_t MediumPhotons::bytes() const {
 void MediumPhotons::Tree::sort() {
   Bounds3 box;
   for (const Placed& placed : photons) box.add(placed.photon->p);
-  struct Key {
-    std::uint64_t place;
-    std::uint32_t index;
-  };
-  std::vector<Key> keys(photons.size());
-  parallel_for(static_cast<std::int64_t>(keys.size()), 1 << 12, [&](std::int64_t i) {
-    const auto at = static_cast<std::size_t>(i);
-    keys[at] = {place_on_curve(photons[at].photon->p, box), static_cast<std::uint32_t>(i)};
+  UntouchedVector<AlongZCurve> order(photons.size());
+  parallel_for(static_cast<std::int64_t>(order.size()), 1 << 12, [&](std::int64_t i) {
+    const auto number = static_cast<std::uint32_t>(i);
+    order[number] = {place_along_z_curve(photons[number].photon->p, box), number};
   });
-  std::sort(keys.begin(), keys.end(),
-            [](const Key& a, const Key& b) { return a.place != b.place ? a.place < b.place : a.index < b.index; });
+  parallel_sort(order);
   std::vector<Placed> sorted;
   sorted.reserve(photons.size());
-  for (const Key& key : keys) sorted.push_back(photons[key.index]);
+  for (const AlongZCurve& next : order) sorted.push_back(photons[next.number]);
   photons = std::move(sorted);
 }
 

@@ -73,7 +73,7 @@ void refuse_media_unless_seen(const SceneDescription& description, const Integra
                             "dsppm, sppm and path do; with --lenient, they are empty");
 }
 
-/// Returns the plugin for the scene's own directive. Where another one stands in, it sees media if there are any.
+/// Returns the plugin for the scene's own directive. If another one stands in, it sees media if there are any.
 const IntegratorPlugin* find_by_directive(const SceneDescription& description, const PluginUse& use,
                                           Diagnostics& diagnostics) {
   std::string_view by = stand_in_for(use.type);

@@ -164,7 +164,7 @@ std::vector<std::string> Media::explain(std::span<const FileFrame> frames) const
     for (const FileFrame f : frames) states.insert(medium.states.at(f));
     if (used_ && states.size() > 1)
       lines.push_back(fmt::format(
-          "medium \"{}\": {} states over the frames. Photons stay together where it is as dense in all of them; "
+          "medium \"{}\": {} states over the frames. Photons stay together if it is as dense in all of them; "
           "camera paths pass through it together, but look for photons once per state.",
           medium.name, states.size()));
   }
