@@ -20,12 +20,13 @@
 namespace dspm {
 namespace {
 
-// A round has a path for every other pixel, within bounds, and enough for every light to be seen.
+// A round has a path for every other pixel, within bounds, and enough for every light to be seen. If many rounds are to
+// come, half of the most will do.
 constexpr std::int64_t kLeastPaths = 1 << 12, kMostPaths = 1 << 14, kPathsOfALight = 1 << 6, kPathsPerTrace = 1 << 4;
 constexpr std::int64_t kLeastLightPaths = 10'000;  // a picture may be small, and what light has to pass smaller
 constexpr std::int64_t kFoundAtOnce = 1 << 8;      // by one thread
 constexpr std::size_t kTreeBytes = 256 * EmissionGuide::kMostCells;  // while it grows
-constexpr double kLeastPilotPixels = 1 << 11, kMostPilotPixels = 1 << 14, kPixelsAPilot = 4;
+constexpr double kLeastPilotPixels = 1 << 11, kMostPilotPixels = 1 << 14, kPixelsAPilot = 4, kHitPointsOfAPath = 4;
 
 // If too few paths are found, the search radius begins far larger, and shrinks once enough are.
 constexpr float kWidest = 1024, kShrink = 4;
@@ -35,9 +36,9 @@ constexpr double kEnough = 0.3, kFew = 0.1;
 constexpr std::uint64_t kRoundsOfAView = 4;  // by the same camera paths, each in another frame
 constexpr int kWideRounds = 4;               // at most, at each radius
 
-constexpr int kTrialRounds = 2, kLeastRounds = 6, kMostRounds = 16;  // at the final radius
+constexpr std::size_t kTrialRounds = 2, kFewRounds = 8, kMostRounds = 16;  // at the final radius
 constexpr double kLeastGain = 1.25;    // in time to the same variance, or the guide is off
-constexpr double kLeastGrowth = 1.05;  // in paths found, over two rounds
+constexpr double kLeastGrowth = 1.05;  // in paths found, over as many rounds as before
 constexpr double kMostOfOne = 0.05;    // of the variance, or the tail is not known yet
 
 class Learner {
@@ -48,12 +49,8 @@ class Learner {
         photon_(photon),
         camera_(hit_point),
         kinds_(photon.kinds),
-        pixels_(render, std::clamp(static_cast<double>(pixels_of(render)) / kPixelsAPilot, kLeastPilotPixels,
-                                   kMostPilotPixels)),
-        paths_(std::clamp<std::int64_t>(
-            std::max<std::int64_t>(pixels_of(render) / 2,
-                                   kPathsOfALight * static_cast<std::int64_t>(sample.lights.size())),
-            photon.are_light_paths ? kLeastLightPaths : kLeastPaths, kMostPaths)) {
+        pixels_(render, pilot_pixels(static_cast<double>(pixels_of(render)), hit_point.go_on)),
+        paths_(paths_of_a_round(render)) {
     photon_.stream = Stream::pilot, photon_.keep_ends = true, photon_.share_paths = true;
     photon_.paths_per_trace = kPathsPerTrace;
     photon_.direct = nullptr;
@@ -82,6 +79,18 @@ class Learner {
     return static_cast<std::int64_t>(render.width) * render.height;
   }
 
+  std::int64_t paths_of_a_round(const RenderSettings& render) const {
+    const std::int64_t least = photon_.are_light_paths ? kLeastLightPaths : kLeastPaths,
+                       wanted = std::max(pixels_of(render) / 2,
+                                         kPathsOfALight * static_cast<std::int64_t>(scene_.lights.size()));
+    return std::clamp(wanted, least,
+                      std::max(least, rounds_of_all_frames() > kFewRounds ? kMostPaths / 2 : kMostPaths));
+  }
+  /// Camera paths that go on leave several hit points each.
+  static double pilot_pixels(double pixels, bool go_on) {
+    return std::clamp(pixels / kPixelsAPilot, kLeastPilotPixels, kMostPilotPixels) / (go_on ? kHitPointsOfAPath : 1);
+  }
+
   // All photons count, even if the integrator stores some kinds only: those that arrive first lead to the others.
   EmissionGuides coarse() {
     photon_.kinds = kAllPhotons;
@@ -90,7 +99,7 @@ class Learner {
       std::vector<PilotRound> rounds;
       for (int i = 0; i < kWideRounds && (i == 0 || rounds.back().found_share() < kEnough); ++i) {
         rounds.push_back(trace(guides, scale));
-        guides = guides_after(rounds);
+        guides = guides_after(rounds, 1);
       }
     }
     photon_.kinds = kinds_;
@@ -98,15 +107,17 @@ class Learner {
   }
 
   EmissionGuides fine(EmissionGuides guides, const PilotRound& first, PilotPaths& pilot) {
-    const int least = std::clamp(rounds_of_all_frames(), kLeastRounds, kMostRounds);
+    const std::size_t least = std::clamp(rounds_of_all_frames(), kFewRounds, kMostRounds);
     std::vector<PilotRound> rounds;
-    for (int i = 0; i < kMostRounds; ++i) {
-      rounds.push_back(trace(guides, 1));
-      if (i == kTrialRounds) pilot.gain = gain(rounds.back(), first);
-      if (i == kTrialRounds && !(pilot.gain > kLeastGain)) return {};
-      guides = guides_after(rounds);
-      if (i >= least && rounds.back().share_of_one() < kMostOfOne &&
-          rounds.back().found_share() < kLeastGrowth * rounds[static_cast<std::size_t>(i) - 2].found_share())
+    for (std::size_t fresh = 1; fresh > 0; fresh = std::min(rounds.size(), kMostRounds - rounds.size())) {
+      for (std::size_t i = 0; i < fresh; ++i) {
+        rounds.push_back(trace(guides, 1));
+        if (rounds.size() == kTrialRounds + 1) pilot.gain = gain(rounds.back(), first);
+        if (rounds.size() == kTrialRounds + 1 && !(pilot.gain > kLeastGain)) return {};
+      }
+      guides = guides_after(rounds, fresh);
+      if (rounds.size() >= least && rounds.back().share_of_one() < kMostOfOne &&
+          rounds.back().found_share() < kLeastGrowth * rounds[rounds.size() - fresh - 1].found_share())
         break;
     }
     pilot.gain = gain(rounds.back(), first);
@@ -163,10 +174,10 @@ class Learner {
     return frames;
   }
   /// Until each of the sample's frames has had its turn.
-  int rounds_of_all_frames() const {
+  std::size_t rounds_of_all_frames() const {
     int most = 0;
     for (const LightChoice& choice : scene_.light_choices) most = std::max(most, choice.frames.count());
-    return most;
+    return static_cast<std::size_t>(most);
   }
 
   /// Returns the points that can gather photons. Their radii are wider than in a render, because pilot pixels are
@@ -256,23 +267,25 @@ class Learner {
                : static_cast<double>(guides.of_choice[path.choice].density(path.start.light, path.start.numbers));
   }
 
-  /// Makes the guides after a round. A path counts as drawn from the mixture of all rounds; otherwise paths that were
-  /// unlikely in their own round would outweigh all others. [Veach 1997, 9.2]
-  EmissionGuides guides_after(std::vector<PilotRound>& rounds) {
+  /// Makes the guides after rounds of which the last `fresh` had the same. A path counts as drawn from the mixture of all
+  /// rounds; otherwise paths that were unlikely in their own round would outweigh all others. [Veach 1997, 9.2]
+  EmissionGuides guides_after(std::vector<PilotRound>& rounds, std::size_t fresh) {
     std::vector<std::vector<std::uint32_t>> first_of;  // by round and kind: its first record
     for (const PilotRound& round : rounds) first_of.push_back(round.found_of);
     std::vector<std::uint32_t> first_of_kind(rounds.front().found_of.size() + 1);
     turn_into_places(first_of, first_of_kind);
-    const std::size_t count = first_of_kind.back(), last = rounds.size() - 1;
+    const std::size_t count = first_of_kind.back(), first_fresh = rounds.size() - fresh;
+    rounds[first_fresh].alike = fresh;
     records_.refit(count);
     parallel_for(static_cast<std::int64_t>(rounds.size()), 1, [&](std::int64_t number) {
       const auto r = static_cast<std::size_t>(number);
       parallel_chunks(
           static_cast<std::int64_t>(rounds[r].found.size()), kFoundAtOnce, [&](std::int64_t begin, std::int64_t end) {
             const std::span<FoundPath> some(rounds[r].found.begin() + begin, rounds[r].found.begin() + end);
-            for (std::size_t other = r == last ? 0 : last; other <= last;
-                 ++other)  // outside: a guide stays in the cache
-              for (FoundPath& path : some) path.mixture += density(rounds[other].guides, path);
+            for (std::size_t other = r < first_fresh ? first_fresh : 0; other <= first_fresh;
+                 other += rounds[other].alike)
+              for (FoundPath& path : some)  // inside: a guide stays in the cache
+                path.mixture += static_cast<double>(rounds[other].alike) * density(rounds[other].guides, path);
             for (const FoundPath& path : some) {
               const auto own = static_cast<double>(path.start.density), wanted = favour(path.start.light);
               records_[first_of[r][kind(path)] + path.place] = {

@@ -27,6 +27,7 @@ struct PilotRound {
   std::vector<std::uint32_t> found_of;  // how many, by choice and light
   std::uint64_t number = 0, paths = 0;  // paths: of each choice
   std::uint64_t choices = 1, work = 0;  // work: rays and photons
+  std::size_t alike = 1;                // of the first of rounds that have the same guides: how many these are
 
   std::uint64_t all_paths() const { return paths * choices; }
 
