@@ -4,7 +4,17 @@
 namespace dspm {
 
 /// The dimensions of the random numbers at one bounce. A path's start uses the last three of bounce 0, so direct light
-/// at the vertex of bounce b uses those of b + 1.
-enum Dimension : int { kScatter, kLobe, kRoulette, kSplit, kLightChoice, kLightPoint, kLightDirection };
+/// at the vertex of bounce b uses those of b + 1; so does light that media scatter along the segment before.
+enum Dimension : int {
+  kScatter,
+  kLobe,
+  kRoulette,
+  kSplit,
+  kLightChoice,
+  kLightPoint,
+  kLightDirection,
+  kNearLight,
+  kScatteringPoint
+};
 
 }  // namespace dspm

@@ -65,7 +65,7 @@ class PathRandom {
   static constexpr std::uint32_t high(std::uint64_t bits) { return low(bits >> 32); }
 
   // Later bounces, and walks below surfaces, would gain nothing: they act through all numbers before.
-  constexpr bool is_even(int bounce, int dimension) const { return is_even_ && bounce < 4 && dimension < 8; }
+  constexpr bool is_even(int bounce, int dimension) const { return is_even_ && bounce < 4 && dimension < 16; }
   constexpr std::uint64_t hash(int bounce, int dimension) const {
     const auto slot = static_cast<std::uint64_t>(bounce) << 32 | static_cast<std::uint32_t>(dimension);
     return mix_bits(key_ + 0x9e3779b97f4a7c15u * (slot + 1));

@@ -21,7 +21,7 @@ class DirectPilot {
  public:
   DirectPilot(const Scene& sample, const RenderSettings& render, const HitPointSettings& settings)
       : scene_(sample), pixels_(with_independent_numbers(render), few_pixels(render)), settings_(settings) {
-    settings_.share_paths = true, settings_.frames = few_frames(sample);
+    settings_.share_paths = true, settings_.light_media = false, settings_.frames = few_frames(sample);
   }
 
   /// Returns what rays bring to the hit points, by pilot pixel and frame, if they share direct light as `balance` says;

@@ -56,7 +56,7 @@ class Learner {
     photon_.direct = nullptr;
     photon_.rays_tell = false;  // a light's own photons lead to its caustics, which may be far rarer
     for (const LightChoice& choice : sample.light_choices) choices_ += !choice.frames.empty();
-    camera_.sample_direct = false, camera_.direct = nullptr, camera_.share_paths = true;
+    camera_.sample_direct = camera_.light_media = false, camera_.direct = nullptr, camera_.share_paths = true;
   }
 
   EmissionGuides learn(PilotPaths& pilot) {
@@ -93,6 +93,7 @@ class Learner {
 
   // All photons count, even if the integrator stores some kinds only: those that arrive first lead to the others.
   EmissionGuides coarse() {
+    const bool rays_light_media = std::exchange(photon_.rays_light_media, false);
     photon_.kinds = kAllPhotons;
     EmissionGuides guides;
     for (float scale = kWidest; scale >= 1; scale /= kShrink) {
@@ -102,7 +103,7 @@ class Learner {
         guides = guides_after(rounds, 1);
       }
     }
-    photon_.kinds = kinds_;
+    photon_.kinds = kinds_, photon_.rays_light_media = rays_light_media;
     return guides;
   }
 

@@ -63,6 +63,7 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
   s.photon.kinds = direct == "sampled" ? kCausticPhotons | kDiffusePhotons : kAllPhotons;
   s.photon.share_paths = s.hit_point.share_paths = share_paths;
   s.hit_point.sample_direct = direct != "photons";
+  s.hit_point.light_media = s.photon.rays_light_media = s.hit_point.sample_direct;
   s.hit_point.photons_as_well = s.photon.rays_tell = direct == "both";
   s.photon.hidden = true;
   s.may_choose = indirect == "auto" && s.kz11 && direct != "photons";

@@ -37,6 +37,7 @@ void PhotonWriter::store_on_curve(const PhotonPath& path, const PhotonOrigin& fr
 }
 
 void PhotonWriter::store_in_medium(const PhotonPath& path, const PhotonOrigin& from, const MediumVertex& vertex) {
+  if (path.kind == kDirectPhotons && settings_.rays_light_media) return;
   for (const MediumVertex::State& state : vertex.states) {
     const FrameSet frames = state.frames & path.frames;
     Rgb flux = path.throughput * state.albedo;

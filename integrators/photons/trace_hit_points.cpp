@@ -8,6 +8,7 @@
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/system/parallel.h"
+#include "dspm/integrators/photons/beam_light.h"
 #include "dspm/integrators/photons/hit_point_light.h"
 #include "dspm/integrators/photons/hit_point_writer.h"
 #include "dspm/integrators/tiles.h"
@@ -57,6 +58,7 @@ class HitPointTracer {
         tile_(out),
         out_(scene, settings, out),
         light_(scene, settings, out_),
+        beam_light_(scene, out_),
         branches_(scene, out.paths) {}
 
   /// Traces the camera path of pixel x, y of the full image. Paths whose frames part wait for finish().
@@ -106,7 +108,9 @@ class HitPointTracer {
 
   /// A path that has left a hit point looks for lights alone.
   void beamed(const CameraPath& path, const MediumSection& section) {
-    if (!path.indirect) out_.add_beam(path, section);
+    if (path.indirect) return;
+    out_.add_beam(path, section);
+    if (settings_.light_media && path.bounces < settings_.max_depth) beam_light_.add(path, section);
   }
 
   void arrived(const CameraPath& path, const Vertex& vertex) {
@@ -269,6 +273,7 @@ class HitPointTracer {
   HitPointTile& tile_;
   HitPointWriter out_;
   HitPointLight light_;
+  BeamLight beam_light_;
   BranchingPath<CameraPath> branches_;
   PartedPaths parted_;
   bool finishing_ = false;

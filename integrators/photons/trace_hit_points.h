@@ -20,6 +20,7 @@ struct HitPointSettings {
   float least_alpha = 0.25f;     // lobes at least this rough gather, smoother ones extend the path; kNothingGathers
   float radius = 0;              // 0: from the pixel's footprint
   bool sample_direct = false;    // direct light at the hit point by a shadow ray
+  bool light_media = false;      // direct light that media scatter by shadow rays, too
   bool photons_as_well = false;  // with sample_direct: photons bring direct light, too, and the ways are weighted
   const DirectBalance* direct = nullptr;  // with sample_direct: the weights of all ways to find direct light
   bool keep_bsdf = false;                 // every hit point has its `scattering`

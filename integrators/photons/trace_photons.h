@@ -41,6 +41,7 @@ struct PhotonSettings {
   const EmissionGuides* guides = nullptr;
   const DirectBalance* direct = nullptr;  // weights photons that come straight from a light; null: 1
   bool rays_tell = false;                 // no direct photons of lights that is_told_by_a_ray() are stored
+  bool rays_light_media = false;          // no direct photons are stored in media
   float flux = 1;                         // what that of every path is multiplied by
   bool keep_ends = false;                 // the traces say which photons are of which path
   bool keep_seen = false;                 // the traces say what rays see along the photons, see PhotonTrace::seen

@@ -120,6 +120,31 @@ void offer_to(FrameSet frames, FrameArray<ChosenSample>& choosing, Offer&& offer
   }
 }
 
+/// Traces a shadow ray to each sample that was chosen, by for_each_lit(const ChosenSample&, FrameSet, see), and calls
+/// fn(FrameSet, const Rgb&, giver) as sample_direct_light() does.
+template <class ForEachLit, class Fn>
+void see_chosen(const Scene& scene, FrameArray<ChosenSample>& choosing, ForEachLit&& for_each_lit, Fn&& fn) {
+  for (std::size_t i = 0; i < choosing.size(); ++i) {
+    const ChosenSample first = choosing[i];
+    if (first.frames.empty() || first.number < 0) continue;
+    // Frames that choose the same sample share its shadow ray.
+    FrameSet together;
+    const auto is_same = [&](const ChosenSample& other) { return other.number == first.number; };
+    for (const ChosenSample& chosen : choosing)
+      if (is_same(chosen)) together |= chosen.frames;
+    for_each_lit(first, together, [&](FrameSet open, const Rgb& transmittance) {
+      for (const ChosenSample& chosen : choosing) {
+        const FrameSet lit = chosen.frames & open;
+        if (!is_same(chosen) || lit.empty()) continue;
+        fn(lit, chosen.radiance * (chosen.sum / chosen.weight) * transmittance,
+           [&] { return light_element(scene, *chosen.light); });
+      }
+    });
+    for (ChosenSample& chosen : choosing)
+      if (is_same(chosen)) chosen.frames = {};
+  }
+}
+
 /// Fetches the memory that sample_direct_light() will wait for at the next vertex; call it as the path sets out.
 /// Pictures of skies are too large for caches, and each sample looks elsewhere.
 inline void prefetch_direct_light(const Scene& scene, const PathState& path) {
@@ -194,25 +219,9 @@ void sample_direct_light(const Scene& scene, const PathState& path, const Place&
       }
     });
   }
-  for (std::size_t i = 0; i < choosing.size(); ++i) {
-    const ChosenSample first = choosing[i];
-    if (first.frames.empty() || first.number < 0) continue;
-    // Frames that choose the same sample share its shadow ray.
-    FrameSet together;
-    const auto is_same = [&](const ChosenSample& other) { return other.number == first.number; };
-    for (const ChosenSample& chosen : choosing)
-      if (is_same(chosen)) together |= chosen.frames;
-    for_each_lit(first.lit, together, [&](FrameSet open, const Rgb& transmittance) {
-      for (const ChosenSample& chosen : choosing) {
-        const FrameSet lit = chosen.frames & open;
-        if (!is_same(chosen) || lit.empty()) continue;
-        fn(lit, chosen.radiance * (chosen.sum / chosen.weight) * transmittance,
-           [&] { return light_element(scene, *chosen.light); });
-      }
-    });
-    for (ChosenSample& chosen : choosing)
-      if (is_same(chosen)) chosen.frames = {};
-  }
+  see_chosen(
+      scene, choosing, [&](const ChosenSample& chosen, FrameSet of, auto&& see) { for_each_lit(chosen.lit, of, see); },
+      fn);
 }
 
 }  // namespace dspm

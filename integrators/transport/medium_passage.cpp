@@ -18,6 +18,17 @@ Rgb MediumSection::left_at(float t) const {
   return after == steps.begin() ? left : std::prev(after)->left;
 }
 
+void DrawnCollision::offer(float t, const Rgb& scattered, float g) {
+  const float offered = max_component(scattered);
+  if (!(offered > 0)) return;
+  sum_ += offered;
+  const float chance = offered / sum_;
+  if (u_ < chance)
+    u_ /= chance, t_ = t, scattered_ = scattered, g_ = g;
+  else
+    u_ = (u_ - chance) / (1 - chance);
+}
+
 MediumPassage::MediumPassage(const Medium& medium, const Majorants& majorants, const Ray& ray, SegmentNumbers& numbers,
                              std::vector<MediumStep>& steps)
     : medium_(medium),
@@ -27,14 +38,15 @@ MediumPassage::MediumPassage(const Medium& medium, const Majorants& majorants, c
       steps_(steps),
       collisions_(majorants, ray, TentativeCollisions::kLargest) {}
 
-MediumSection MediumPassage::advance(float end) {
-  MediumSection section{t_, end, left_, {}, {}, {}};
+MediumSection MediumPassage::advance(float end, DrawnCollision* drawn) {
+  MediumSection section{t_, end, left_, {}, {}, {}, &medium_};
   const std::size_t first = steps_.size();
   if (everywhere_) {
     section.sigma_t = everywhere_->sigma_t();
     section.glow = pass_evenly(*everywhere_, end - t_);
   } else {
-    section.glow = pass_by_steps(end);
+    section.glow = pass_by_steps(end, drawn);
+    if (drawn != nullptr) section.drawn = *drawn;
     section.steps = std::span(steps_).subspan(first);
   }
   t_ = end;
@@ -54,7 +66,7 @@ Rgb MediumPassage::pass_evenly(const MediumProperties& medium, float length) {
 
 /// Collisions are drawn by the largest of the colours' majorants: what each of them leaves is a factor. What is faint plays
 /// roulette.
-Rgb MediumPassage::pass_by_steps(float end) {
+Rgb MediumPassage::pass_by_steps(float end, DrawnCollision* drawn) {
   constexpr float kFaint = 0.05f, kSurvival = 0.25f;
   const auto number = [&] { return numbers_.next(); };
   Rgb glow;
@@ -63,6 +75,7 @@ Rgb MediumPassage::pass_by_steps(float end) {
     const Rgb sigma_t = here.sigma_t();
     const float largest = max_component(collisions_.majorant());
     glow += left_ * here.emitted / largest;
+    if (drawn != nullptr) drawn->offer(collisions_.distance(), left_ * here.sigma_s / largest, here.g);
     for (int c = 0; c < 3; ++c) left_[c] *= std::max(0.f, 1 - sigma_t[c] / largest);
     if (max_component(left_) < kFaint) left_ = number() < kSurvival ? left_ / kSurvival : Rgb();
     steps_.push_back({collisions_.distance(), left_});

@@ -29,6 +29,25 @@ struct MediumStep {
   Rgb left;
 };
 
+/// One of the collisions that a medium that varies may have along a section, drawn in proportion to the light that it scatters to
+/// the ray's origin.
+class DrawnCollision {
+ public:
+  DrawnCollision() = default;
+  explicit DrawnCollision(float u) : u_(u) {}
+
+  void offer(float t, const Rgb& scattered, float g);
+  bool has_any() const { return sum_ > 0; }
+  float t() const { return t_; }
+  /// What it scatters, over the chance that it was drawn: the mean is that of all collisions together.
+  Rgb scattered() const { return scattered_ * (sum_ / max_component(scattered_)); }
+  float g() const { return g_; }
+
+ private:
+  float u_ = 0, sum_ = 0, t_ = 0, g_ = 0;
+  Rgb scattered_;
+};
+
 /// A part of a ray in a medium.
 struct MediumSection {
   float begin, end;                   // along the ray
@@ -36,6 +55,8 @@ struct MediumSection {
   Rgb sigma_t;                        // if the medium is the same everywhere; else black
   std::span<const MediumStep> steps;  // if it varies
   Rgb glow;                           // radiance that the medium adds, as it is left at the ray's origin
+  const Medium* medium = nullptr;
+  DrawnCollision drawn = {};  // if the medium varies, and advance() was asked for it
 
   /// Returns what is left at a distance within the section.
   Rgb left_at(float t) const;
@@ -47,13 +68,13 @@ class MediumPassage {
   MediumPassage(const Medium& medium, const Majorants& majorants, const Ray& ray, SegmentNumbers& numbers,
                 std::vector<MediumStep>& steps);
 
-  /// Goes on to `end`. The section's steps hold until the next call.
-  MediumSection advance(float end);
+  /// Goes on to `end`. The section's steps hold until the next call. Draws a collision, if `drawn` is not null.
+  MediumSection advance(float end, DrawnCollision* drawn = nullptr);
   const Rgb& left() const { return left_; }
 
  private:
   Rgb pass_evenly(const MediumProperties& medium, float length);
-  Rgb pass_by_steps(float end);
+  Rgb pass_by_steps(float end, DrawnCollision* drawn);
 
   const Medium& medium_;
   const std::optional<MediumProperties> everywhere_;

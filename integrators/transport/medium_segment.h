@@ -122,7 +122,8 @@ class MediumSegment {
         for (std::size_t m = 0; m < meetings_.size(); ++m) {
           const FrameSet landing = within.frames & meetings_[m].frames;
           if (landing.empty()) continue;
-          tracer.beamed(within, passage.advance(meetings_[m].hit.t));
+          DrawnCollision drawn(state.everywhere() ? 0 : numbers.next());
+          tracer.beamed(within, passage.advance(meetings_[m].hit.t, &drawn));
           if (!is_black(passage.left())) passed.add({m, landing, passage.left(), numbers.used});
           within.frames = within.frames - landing;
         }

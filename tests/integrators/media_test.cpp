@@ -56,6 +56,13 @@ std::string homogeneous(const std::string& name, const std::string& params) {
   return fmt::format("MakeNamedMedium \"{}\" \"string type\" \"homogeneous\" {}\n", name, params);
 }
 
+std::string smoke(const std::string& density) {
+  return fmt::format(R"(MakeNamedMedium "smoke" "string type" "uniformgrid" "integer nx" 2 "integer ny" 1 "integer nz" 2
+  "float density" [1 2 3 1] "point3 p0" [-2 -2 -2] "point3 p1" [2 2 2] "rgb sigma_a" [.1 .2 .1] {}
+)",
+                     density);
+}
+
 Rgb mean_of(const std::string& text, int iterations) { return mean(TestScene(text).render(FileFrame(0), iterations)); }
 
 void expect_colour(const Rgb& seen, double r, double g, double b, double error) {
@@ -141,6 +148,38 @@ TEST(Media, ScatterALampsLightOnce) {
     }
 }
 
+// Shadow rays bring a beam what `path` finds at its collisions, whatever the light and the medium: lamps with and without a surface,
+// a spot that lights a part of the beam, more lamps than are all sampled, a sky; a medium that varies, in two boxes of which
+// one has nothing of it.
+TEST(Media, AreLitByAllLights) {
+  const std::string fog = homogeneous("fog", R"("rgb sigma_a" [.05 .1 0] "rgb sigma_s" [.2 .5 2] "float g" .4)");
+  const std::string cloud = smoke(R"("rgb sigma_s" [.3 .3 .9] "float g" -.3)");
+  std::string many;
+  for (int i = 0; i < 12; ++i)
+    many += fmt::format("LightSource \"point\" \"rgb I\" [{0} {0} {0}] \"point3 from\" [{1} {2} {3}]\n", 1 + i % 3,
+                        2 * std::cos(i), 2 * std::sin(i), 0.3 * i - 2);
+  const std::string lamp = R"(AttributeBegin Translate 0 1.4 0 AreaLightSource "diffuse" "rgb L" [9 6 4]
+  Shape "sphere" "float radius" .3 AttributeEnd
+)";
+  const std::string spot =
+      R"(LightSource "spot" "rgb I" [20 20 30] "point3 from" [1 1.5 -.5] "point3 to" [0 0 .3] "float coneangle" 20
+LightSource "distant" "rgb L" [.2 .3 .2] "point3 from" [1 1 -1]
+)";
+  const std::string mixed = R"(AttributeBegin MediumInterface "smoke" "" Material "interface"
+  Shape "sphere" "float radius" 1.3 AttributeEnd
+)";
+  for (const std::string& lights : {many, lamp, spot, lamp + many, kSky + spot})
+    for (const std::string& contents : {ball_of("fog"), mixed}) {
+      const auto seen = [&](const std::string& integrator, int iterations) {
+        return mean_of(looking(integrator, fog + cloud, lights + contents), iterations);
+      };
+      const Rgb expected = seen(R"("path" "integer maxdepth" 1)", 2000);
+      const Rgb by_rays = seen(R"("dsppm" "integer maxdepth" 1 "integer photons" 50)", 500);
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(static_cast<double>(by_rays[c] / expected[c]), 1, 0.03) << lights << contents << c;
+    }
+}
+
 // Where light is the same from everywhere, what only scatters it cannot be seen, however it does.
 TEST(Media, AreInvisibleInAWhiteFurnace) {
   const std::string milk = homogeneous("milk", R"("rgb sigma_a" [0 0 0] "rgb sigma_s" [1 3 .2] "float g" .7)");
@@ -213,13 +252,6 @@ Material "diffuse" "rgb reflectance" [.7 .7 .7]
 Translate 0 0 2 Shape "disk" "float radius" 5
 LightSource "point" "rgb I" [20 20 20] "point3 from" [1 2 -1]
 )";
-std::string smoke(const std::string& density) {
-  return fmt::format(R"(MakeNamedMedium "smoke" "string type" "uniformgrid" "integer nx" 2 "integer ny" 1 "integer nz" 2
-  "float density" [1 2 3 1] "point3 p0" [-2 -2 -2] "point3 p1" [2 2 2] "rgb sigma_a" [.1 .2 .1] {}
-)",
-                     density);
-}
-
 std::string drifting(const std::string& integrator, const std::string& density) {
   const std::string wide = R"(LookAt 0 0 -4  0 0 0  0 1 0
 Camera "perspective" "float fov" 50

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "dspm/media/majorants.h"
 #include "dspm/media/medium.h"
 #include "tests/lights/params.h"
 #include "tests/support/near.h"
@@ -152,6 +153,22 @@ TEST(Media, StayBelowTheirMajorants) {
         for (int c = 0; c < 3; ++c) EXPECT_LE(here[c], most[c] * 1.00001f);
       }
     }
+  }
+}
+
+// A grid has a place in no box without bounds, so beside a state that fills all space it is asked for its own part alone.
+TEST(Media, HaveMajorantsBesideAStateThatFillsAllSpace) {
+  const auto fog = medium("homogeneous", {colour("sigma_a", {.1f, .1f, .1f}), colour("sigma_s", {.2f, .2f, .2f})});
+  const Matrix4 place = Matrix4::translate(1, 2, 3) * Matrix4::rotate(30, 1, 2, 3);
+  for (const auto& grid :
+       {medium("uniformgrid", {integer("nx", 2), numbers("density", {3, 9})}, place), medium("cloud", {}, place)}) {
+    const Medium* const states[] = {fog.get(), grid.get()};
+    const Majorants both(states);
+    TentativeCollisions collisions(both, {{0, 0, 0}, {0, 0, 1}}, TentativeCollisions::kLargest);
+    ASSERT_TRUE(collisions.advance(kInfinity, [] { return 0.5f; }));
+    const Rgb most = grid->majorant(*grid->extent());
+    for (int c = 0; c < 3; ++c) EXPECT_GE(collisions.majorant()[c], std::max(0.3f, most[c]));
+    EXPECT_GT(max_component(most), 0.3f);
   }
 }
 
