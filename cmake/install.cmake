@@ -18,9 +18,11 @@ endif()
 set_target_properties(dspm PROPERTIES INSTALL_RPATH "${library_folders}")
 install(TARGETS dspm)
 install(TARGETS libdspm EXPORT dspm LIBRARY NAMELINK_COMPONENT Development)
-if(TARGET dspm_mpi)
-  install(TARGETS dspm_mpi LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-endif()
+foreach(module dspm_mpi dspm_openvdb)  # loaded if they are needed
+  if(TARGET ${module})
+    install(TARGETS ${module} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  endif()
+endforeach()
 foreach(header ${public_headers} ${testing_headers} ${toolkit_headers})
   get_filename_component(folder ${header} DIRECTORY)
   install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/dspm/${folder} COMPONENT Development)
@@ -82,7 +84,7 @@ install(FILES cmake/package/dspm.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/
 
 # All that is installed.
 add_custom_target(packaged DEPENDS dspm blender_addon self_description)
-foreach(part dspm_mpi python_stubs)
+foreach(part dspm_mpi dspm_openvdb python_stubs)
   if(TARGET ${part})
     add_dependencies(packaged ${part})
   endif()

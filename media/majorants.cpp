@@ -7,7 +7,6 @@ namespace {
 
 constexpr int kMostCells = 32;  // along the longest axis
 
-
 Rgb largest(const Rgb& a, const Rgb& b) { return {std::max(a.r, b.r), std::max(a.g, b.g), std::max(a.b, b.b)}; }
 
 /// The part of a box that a medium can fill.
@@ -74,8 +73,7 @@ void TentativeCollisions::enter() {
   for (int axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     const int count = majorants_.counts_[a];
-    const float low = majorants_.extent_.low[axis],
-                width = size[axis] / static_cast<float>(count);
+    const float low = majorants_.extent_.low[axis], width = size[axis] / static_cast<float>(count);
     cell_[a] = std::clamp(static_cast<int>((p[axis] - low) / width), 0, count - 1);
     const float d = ray_.direction[axis];
     const float plane = low + width * static_cast<float>(cell_[a] + (d > 0));

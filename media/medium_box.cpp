@@ -10,9 +10,7 @@ MediumBox::MediumBox(ParamReader& reader, const Transform& to_world) : to_world_
     reader.error("p1", "\"p0\" and \"p1\" of " + reader.subject() + " are corners of a box without volume");
 }
 
-Vec3 MediumBox::place_of(const Vec3& p) const {
-  return place_in_box(to_world_.inverse_point(p));
-}
+Vec3 MediumBox::place_of(const Vec3& p) const { return place_in_box(to_world_.inverse_point(p)); }
 
 Bounds3 MediumBox::places_of(const Bounds3& box) const {
   constexpr float kRounding = 1e-4f;

@@ -28,6 +28,7 @@
 #include "dspm/media/glow.h"
 #include "dspm/media/medium.h"
 #include "dspm/media/read_nanovdb.h"
+#include "dspm/media/read_openvdb.h"
 
 namespace dspm {
 namespace {
@@ -68,7 +69,7 @@ class SparseMedium final : public Medium {
 /// Returns nullopt if the file has no such grid, or after an error.
 std::optional<SparseGrid> read_grid(ParamReader& reader, const std::filesystem::path& file, const std::string& name) {
   try {
-    return read_nanovdb(file, name);
+    return file.extension() == ".vdb" ? read_openvdb(file, name) : read_nanovdb(file, name);
   } catch (const std::runtime_error& error) {
     reader.error("filename", fmt::format("\"{}\" cannot be read: {}", file.string(), error.what()));
     return std::nullopt;
@@ -78,7 +79,7 @@ std::optional<SparseGrid> read_grid(ParamReader& reader, const std::filesystem::
 }  // namespace
 
 std::unique_ptr<Medium> make_nanovdb(ParamReader& reader, const MediumContext& context) {
-  const std::filesystem::path file = reader.file("filename", "the NanoVDB file");
+  const std::filesystem::path file = reader.file("filename", "the file: .nvdb is NanoVDB's, .vdb OpenVDB's");
   const std::string density_name = reader.text("gridname", "density", "the grid with the density"),
                     temperature_name =
                         reader.text("temperaturename", "temperature", "the grid with temperatures, if any");

@@ -7,14 +7,12 @@
 #include <nanovdb/util/GridHandle.h>
 #include <nanovdb/util/IO.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <sstream>
 #include <vector>
 
-#include "dspm/base/math/vec.h"
 #include "dspm/base/system/read_file.h"
+#include "dspm/media/grid_parts.h"
 #endif
 
 namespace dspm {
@@ -32,20 +30,12 @@ using Leaf = nanovdb::NanoLeaf<float>;
 
 constexpr int kLowerSide = 128, kUpperSide = 4096;  // in voxels
 
-/// A region of one value, or a leaf's values.
-struct Part {
-  Index first;
-  int size;
-  float value;
-  const float* values;  // null: all are `value`
-};
-
 /// Walks through a grid's tree. Places in a damaged file may point anywhere, so each is checked.
 class TreeWalk {
  public:
   TreeWalk(const void* grid, std::size_t size) : begin_(static_cast<const char*>(grid)), end_(begin_ + size) {}
 
-  std::vector<Part> parts() {
+  std::vector<GridPart> parts() {
     const auto* grid = expect<nanovdb::GridData>(begin_);
     const char* const tree = begin_ + sizeof(nanovdb::GridData);
     const auto* nodes = expect<nanovdb::TreeData<3>>(tree);
@@ -107,18 +97,8 @@ class TreeWalk {
   }
 
   const char *begin_, *end_;
-  std::vector<Part> parts_;
+  std::vector<GridPart> parts_;
 };
-
-void expect_sound(const Part& part) {
-  constexpr int kFarthest = 1 << 29;
-  for (const int i : part.first)
-    if (std::abs(i) > kFarthest) throw std::runtime_error("it is damaged");
-  const auto is_sound = [](float v) { return std::isfinite(v) && v >= 0; };
-  if (part.values == nullptr ? !is_sound(part.value)
-                             : !std::all_of(part.values, part.values + SparseGrid::kValues, is_sound))
-    throw std::runtime_error("some of its values are negative or not finite");
-}
 
 Transform placement(const nanovdb::Map& map) {
   Matrix4 matrix;
@@ -135,30 +115,19 @@ std::optional<SparseGrid> read_nanovdb(const std::filesystem::path& file, const 
   std::istringstream in(read_file(file));
   const auto handle = nanovdb::io::readGrid(in, grid);
   if (!handle) return std::nullopt;
-  const std::vector<Part> parts = TreeWalk(handle.data(), handle.size()).parts();
-  Index low{}, high{};
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    expect_sound(parts[i]);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const int first = parts[i].first[axis], last = first + parts[i].size - SparseGrid::kSide;
-      low[axis] = i == 0 ? first : std::min(low[axis], first);
-      high[axis] = i == 0 ? last : std::max(high[axis], last);
-    }
-  }
-  SparseGrid sparse(low, high, placement(reinterpret_cast<const nanovdb::GridData*>(handle.data())->mMap));
-  for (const Part& part : parts)
-    if (part.values != nullptr)
-      sparse.set_block(part.first, part.values);
-    else
-      sparse.set_blocks(part.first, part.size, part.value);
-  return sparse;
+  return grid_of(TreeWalk(handle.data(), handle.size()).parts(),
+                 placement(reinterpret_cast<const nanovdb::GridData*>(handle.data())->mMap));
 } catch (const std::bad_alloc&) {
   throw std::runtime_error("it is damaged, or larger than the memory");
 } catch (const std::invalid_argument&) {
   throw std::runtime_error("its placement has no inverse");
 }
 
+bool reads_nanovdb() { return true; }
+
 #else
+
+bool reads_nanovdb() { return false; }
 
 std::optional<SparseGrid> read_nanovdb(const std::filesystem::path&, const std::string&) {
   throw std::runtime_error("dspm was built without NanoVDB (Debian's libnanovdb-dev)");

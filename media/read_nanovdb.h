@@ -13,4 +13,6 @@ namespace dspm {
 /// read, or if dspm was built without NanoVDB.
 std::optional<SparseGrid> read_nanovdb(const std::filesystem::path& file, const std::string& grid);
 
+bool reads_nanovdb();
+
 }  // namespace dspm

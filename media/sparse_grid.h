@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "dspm/base/math/transform.h"
@@ -41,6 +42,11 @@ class SparseGrid {
            static_cast<std::size_t>(z);
   }
   float value(int x, int y, int z) const;
+  float largest_of_block(int x, int y, int z) const;
+  /// Returns the first of eight neighbouring voxels that lie in one block, null if it is empty; nullopt if they lie in several.
+  std::optional<const float*> within_block(int x, int y, int z) const;
+  /// Interpolates between a voxel and its seven neighbours in a block.
+  static float interpolated(const float* first, const Vec3& rest);
 
   Index low_, counts_;  // of the first block, and numbers of blocks
   Transform to_medium_;

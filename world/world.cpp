@@ -15,6 +15,7 @@
 #include "dspm/world/lighting/coverage.h"
 #include "dspm/world/lighting/lighting.h"
 #include "dspm/world/lighting/sharing.h"
+#include "dspm/world/media_check.h"
 #include "dspm/world/media_in_scene.h"
 #include "dspm/world/nearby_views.h"
 #include "dspm/world/objects/distinct_names.h"
@@ -71,11 +72,12 @@ struct World::Impl {
     looks.refuse_unknown_replacements();
     const bool whole = diagnostics.error_count() == 0;
     if (whole && geometry.shapes().empty()) diagnostics.warning({}, "the scene has no shape");
-    if (whole && text.lights.empty() && geometry.emitters().empty() && !media.glow())
+    if (whole && text.lights.empty() && geometry.emitters().empty() && media.glowing().empty())
       diagnostics.warning({}, "the scene has no light: its images will be black");
     const bool fits = sooner != nullptr && is_within(geometry.bounds(), sooner->sphere);
     sphere = fits ? sooner->sphere : sphere_around(geometry.bounds());
-    lights = make_lights(text, geometry, looks, sphere, sooner != nullptr ? &sooner->lights : nullptr, diagnostics);
+    lights =
+        make_lights(text, geometry, looks, media, sphere, sooner != nullptr ? &sooner->lights : nullptr, diagnostics);
     if (diagnostics.error_count() == 0) {
       light_choices = sooner != nullptr ? make_light_choices(lights, sooner->light_choices)
                                         : make_light_choices(lights, text.frames.base().count(), text.frames.count());
@@ -99,7 +101,9 @@ struct World::Impl {
     if (text.accelerator && text.accelerator->type == name) accel_params = text.accelerator->params.at(Moment());
     ParamReader reader = accel_reader(diagnostics);
     check(*accel, reader, std::span<const PlacedShape>(), FrameSet());
-    if (options.check_meshes && diagnostics.error_count() == 0) warn_of_overlaps(diagnostics);
+    if (!options.check_meshes || diagnostics.error_count() > 0) return;
+    warn_of_overlaps(diagnostics);
+    if (media.are_used()) warn_of_media(diagnostics);
   }
 
   /// Reads the meshes of the frames of which scenes are made: those that are rendered, and those that stand for the file.
@@ -130,7 +134,9 @@ struct World::Impl {
 
   std::vector<PlacedShape> shapes_in(const std::vector<FileFrame>& frames, Contents contents = Contents::all) const {
     std::vector<PlacedShape> shapes;
-    const auto directives = static_cast<int>(lights.size() - geometry.emitters().size());
+    const auto of_media =
+        std::ranges::count_if(lights, [](const WorldLight& light) { return light.glow_of != kNoMedium; });
+    const auto directives = static_cast<int>(lights.size() - geometry.emitters().size()) - static_cast<int>(of_media);
     for (const WorldShape* shape : shapes_there(frames, contents)) {
       PlacedShape& placed = shapes.emplace_back(shape->placed);
       placed.frames = shape->present.among(frames);
@@ -179,6 +185,8 @@ struct World::Impl {
 
   /// Warns of overlaps in the frames that stand for the file.
   void warn_of_overlaps(Diagnostics& diagnostics) const;
+  /// Warns of interfaces that contradict each other in one of these frames.
+  void warn_of_media(Diagnostics& diagnostics) const;
 
   std::unique_ptr<Accel> make_accel(const Scene& scene, Contents contents, const Scene* sooner) const {
     if (sooner != nullptr)
@@ -283,7 +291,7 @@ std::unique_ptr<Scene> World::Impl::scene(std::span<const FileFrame> frames, Con
                              alike_in(light, scene->file_frames), light.is_delta, light.controls.photons,
                              light.controls.caustics, light_choices.shares(light), group_of(light)});
   }
-  add_media_of_lights(*scene, description, media, geometry);
+  add_media_of_lights(*scene, lights, media);
   scene->light_choices = light_choices.in(scene->file_frames);
   scene->direct_light = direct_light;
   scene->light_names = light_names.all();
@@ -314,6 +322,14 @@ void World::Impl::warn_of_overlaps(Diagnostics& diagnostics) const {
   ParamReader reader = accel_reader(ignored);
   bodies.accel = accel->make(reader, bodies.shapes, bodies.frames());
   warn_of(find_overlaps(bodies, pairs), bodies, there, looks, description.frames, diagnostics);
+}
+
+void World::Impl::warn_of_media(Diagnostics& diagnostics) const {
+  const std::vector<FileFrame> frame{light_choices.sample().front()};
+  const std::unique_ptr<const Scene> whole = scene(frame, Contents::all, nullptr);
+  dspm::warn_of_contradictions({*whole, shapes_there(frame), boundary_shapes(media, geometry, frame), description,
+                                options.width, options.height},
+                               diagnostics);
 }
 
 std::vector<FileFrame> World::sample_frames() const { return impl_->light_choices.sample(impl_->sample_size); }

@@ -15,6 +15,8 @@
 #include "dspm/image/ocio_view.h"
 #include "dspm/lang/gltf/draco.h"
 #include "dspm/lang/gltf/meshopt.h"
+#include "dspm/media/read_nanovdb.h"
+#include "dspm/media/read_openvdb.h"
 #include "dspm/output/oidn.h"
 #include "dspm/output/video.h"
 #include "dspm/session/machines/find_link.h"
@@ -89,6 +91,10 @@ std::vector<OptionalPart> built_parts() {
        [] { return unless(gltf::reads_draco(), kNotBuiltIn); }},
       {"meshoptimizer", "glTF buffers that it has compressed", "libmeshoptimizer-dev, when dspm is built",
        [] { return unless(gltf::reads_meshopt(), kNotBuiltIn); }},
+      {"NanoVDB", "media of .nvdb files", "libnanovdb-dev, when dspm is built",
+       [] { return unless(reads_nanovdb(), kNotBuiltIn); }},
+      {"OpenVDB", "media of .vdb files", "libopenvdb-dev, when dspm is built",
+       [] { return has_openvdb_module() ? fault_of_openvdb_module() : kNotBuiltIn; }},
       {"OpenColorIO", "--view ocio", "libopencolorio-dev, when dspm is built with -DDSPM_OCIO=ON",
        [] { return unless(knows_ocio(), kNotBuiltIn); }},
       {"MPI", "mpirun -n 16 dspm: several machines together", "openmpi-bin; libopenmpi-dev, when dspm is built",

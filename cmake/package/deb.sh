@@ -17,7 +17,7 @@ quietly env DESTDIR="$stage" cmake --install "$build" --prefix /usr --strip
 libraries=$(dirname "$(find "$stage/usr/lib" -name 'libdspm.so')")
 program=$stage/usr/bin/dspm
 python_module=$(find "$stage/usr/lib" -name '_dspm.*.so')
-mpi_module=$(find "$libraries" -name 'libdspm_mpi.so')
+modules=$(find "$libraries" -name 'libdspm_mpi.so' -o -name 'libdspm_openvdb.so')
 version=$("$build/dspm" --version | sed -n '1s/dspm //p')
 soversion=$(objdump -p "$libraries/libdspm.so" | sed -n 's/.*SONAME *libdspm\.so\.//p')
 
@@ -26,7 +26,7 @@ for file in "$program" $python_module; do
   echo "file(RPATH_REMOVE FILE \"$file\")" >"$work/remove.cmake"
   quietly cmake -P "$work/remove.cmake"
 done
-chmod 644 "$libraries"/lib*.so.* $python_module $mpi_module
+chmod 644 "$libraries"/lib*.so.* $python_module $modules
 
 # Debian's Blender finds the add-on there; other Blenders install the zip.
 addons=$stage/usr/share/blender/scripts/addons
@@ -56,7 +56,7 @@ echo "libdspm $soversion dspm (>= $version)" >"$stage/DEBIAN/shlibs"
 # What the linked libraries' packages are called here. What only some runs need is recommended.
 printf 'Source: dspm\n\nPackage: dspm\nArchitecture: any\n' >"$work/debian/control"
 (cd "$work" && dpkg-shlibdeps -O -xdspm -l"$libraries" -dDepends "$program" "$libraries/libdspm.so" $python_module \
-  ${mpi_module:+-dSuggests "$mpi_module"}) >"$work/dependencies" 2>"$work/log" || { cat "$work/log" >&2; exit 1; }
+  ${modules:+-dSuggests $modules}) >"$work/dependencies" 2>"$work/log" || { cat "$work/log" >&2; exit 1; }
 needed() { sed -n "s/^shlibs:$1=//p" "$work/dependencies"; }
 recommended=
 if [[ $python_module ]]; then

@@ -44,7 +44,8 @@ for root in "$@"; do module_of "$root"; done
 # Copies what these files need, with its licence.
 needs() { LD_LIBRARY_PATH=$libraries ldd "$@" | sed -n 's/.* => \(\/[^ ]*\) (.*/\1/p' | sort -u; }
 is_everywhere='/(ld-linux.*|lib(c|m|dl|rt|pthread|stdc\+\+|gcc_s))\.so'
-mapfile -t needed < <(needs "$folder/bin/dspm" "$libraries/libdspm.so" "$folder"/python/dspm/*.so |
+openvdb_module=$(find "$libraries" -name libdspm_openvdb.so)
+mapfile -t needed < <(needs "$folder/bin/dspm" "$libraries/libdspm.so" $openvdb_module "$folder"/python/dspm/*.so |
   grep -vE "$is_everywhere|/libdspm\.so")
 for library in "${needed[@]}"; do
   cp -L "$library" "$libraries/"
@@ -61,7 +62,7 @@ if command -v dpkg-query >/dev/null; then
     cp -L "/usr/share/doc/$package/copyright" "$folder/share/doc/libraries/$package/"
   done <"$work/files"
 fi
-patchelf --set-rpath '$ORIGIN' "$libraries/libdspm.so"
+for library in "$libraries/libdspm.so" $openvdb_module; do patchelf --set-rpath '$ORIGIN' "$library"; done
 for module in "$folder"/python/dspm/*.so; do patchelf --set-rpath "$from_python" "$module"; done
 
 export ZSTD_CLEVEL=${ZSTD_CLEVEL:-15}

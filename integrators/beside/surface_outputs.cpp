@@ -18,6 +18,7 @@
 #include "dspm/integrators/tiles.h"
 #include "dspm/integrators/transport/camera_path.h"
 #include "dspm/integrators/transport/clear_sight.h"
+#include "dspm/integrators/transport/left_in_media.h"
 #include "dspm/world/scene/nearby_moments.h"
 #include "dspm/world/scene/scene.h"
 
@@ -64,9 +65,12 @@ struct Layer {
   }
 };
 
+/// Media hide what is behind them in part.
+bool has_sums(Kind kind, const Scene& scene) { return is_mean(kind) || (kind == Kind::alpha && !scene.media.empty()); }
+
 /// Returns the bytes of a layer per pixel and frame.
-std::size_t bytes_of(Kind kind) {
-  if (is_mean(kind)) return is_motion(kind) ? 2 * sizeof(Rgb) : sizeof(Rgb);
+std::size_t bytes_of(Kind kind, const Scene& scene) {
+  if (has_sums(kind, scene)) return is_motion(kind) ? 2 * sizeof(Rgb) : sizeof(Rgb);
   return is_id(kind) ? sizeof(Majority) : is_crypto(kind) ? sizeof(CoverageRanks) : 0;
 }
 
@@ -76,23 +80,23 @@ class SurfaceOutputs final : public WrappingIntegrator {
                  const RenderSettings& render)
       : WrappingIntegrator(std::move(inner)),
         render_(render),
-        bytes_(bytes(kinds, render.crop.count(), scene.frame_count())),
+        bytes_(bytes(kinds, scene, render)),
         met_(render.crop.count(), scene.frame_count()) {
     const int pixels = render.crop.count(), frames = scene.frame_count();
     looks_on_ = std::any_of(kinds.begin(), kinds.end(), is_for_denoising);
     for (const Kind kind : kinds) {
       Layer& layer = layers_.emplace_back(Layer{kind, outputs_of(kind), {}, {}, {}, {}, {}});
-      if (is_mean(kind)) layer.sums = {pixels, frames};
+      if (has_sums(kind, scene)) layer.sums = {pixels, frames};
       if (is_motion(kind)) layer.far_sums = {pixels, frames};
       if (is_id(kind)) layer.votes = {pixels, frames};
       if (is_crypto(kind)) layer.ranks = {pixels, frames};
       if (is_id(kind) || is_crypto(kind)) name(layer, is_of_objects(kind) ? scene.object_names : scene.material_names);
     }
   }
-  static std::size_t bytes(const std::vector<Kind>& kinds, int pixels, int frames) {
+  static std::size_t bytes(const std::vector<Kind>& kinds, const Scene& scene, const RenderSettings& render) {
     std::size_t each = sizeof(std::uint32_t);
-    for (const Kind kind : kinds) each += bytes_of(kind);
-    return each * static_cast<std::size_t>(pixels) * static_cast<std::size_t>(frames);
+    for (const Kind kind : kinds) each += bytes_of(kind, scene);
+    return each * static_cast<std::size_t>(render.crop.count()) * static_cast<std::size_t>(scene.frame_count());
   }
 
   void iterate(const Iteration& iteration) override {
@@ -153,6 +157,7 @@ class SurfaceOutputs final : public WrappingIntegrator {
       for (const FrameHit& part : scene.accel->partition(path.ray, path.frames)) {
         if (part.hit.missed()) {
           vote(path.pixel, part.frames, [](Kind) { return kNone; });
+          if (!scene.media.empty()) add_veil(scene, path, part.frames);
           add_far_motion(scene, path, part.frames);
           if (looks_on_) add_nothing(path.pixel, part.frames, Rgb(1));
           continue;
@@ -167,6 +172,17 @@ class SurfaceOutputs final : public WrappingIntegrator {
     };
     start_camera_paths(scene, render_, x, y, static_cast<std::uint64_t>(iteration.number), meet,
                        [](const CameraPath&) {});
+  }
+
+  /// Adds the share of the light from beyond that media take.
+  void add_veil(const Scene& scene, const CameraPath& path, FrameSet frames) {
+    for (Layer& layer : layers_) {
+      if (layer.kind != Kind::alpha) continue;
+      frames.for_each([&](Frame f) { layer.sums.at(path.pixel, f) += Rgb(1); });
+      for (const FrameFactor& left :
+           left_in_media(scene, path.ray, path.inside.medium, frames, {path.random, path.bounces}))
+        left.frames.for_each([&](Frame f) { layer.sums.at(path.pixel, f) += left.factor * -1.f; });
+    }
   }
 
   void look_on(const Scene& scene, ClearSight& sight, const CameraPath& start, const Vertex& first) {
@@ -282,7 +298,10 @@ class SurfaceOutputs final : public WrappingIntegrator {
 
   /// Returns the value of an output of the layer.
   Rgb value(const Layer& layer, std::size_t number, int pixel, Frame frame) const {
-    if (layer.kind == Kind::alpha) return Rgb(share(met_.at(pixel, frame)));
+    if (layer.kind == Kind::alpha) {
+      const Rgb veil = layer.sums.empty() ? Rgb() : layer.sums.at(pixel, frame) / static_cast<float>(iterations_);
+      return Rgb(std::clamp(share(met_.at(pixel, frame)) + (veil.r + veil.g + veil.b) / 3, 0.f, 1.f));
+    }
     if (layer.kind == Kind::denoising_depth) return depth_for_denoising(layer.sums.at(pixel, frame));
     if (is_motion(layer.kind))
       return mean_vector(met_.at(pixel, frame) > 0 ? layer.sums.at(pixel, frame) : layer.far_sums.at(pixel, frame));
@@ -343,7 +362,7 @@ std::unique_ptr<Integrator> with_surface_outputs(const MakeWithin& make, const S
                                                  const RenderSettings& render, std::size_t memory) {
   const std::vector<Kind> asked = kinds_in(render.outputs);
   if (asked.empty()) return make(memory);
-  const std::size_t bytes = SurfaceOutputs::bytes(asked, render.crop.count(), scene.frame_count());
+  const std::size_t bytes = SurfaceOutputs::bytes(asked, scene, render);
   std::unique_ptr<Integrator> inner = make_beside(2 * bytes, make, memory);
   if (inner == nullptr) return nullptr;
   std::vector<Kind> kinds;

@@ -7,6 +7,7 @@
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frame_array.h"
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/ray.h"
 #include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/integrators/dimension.h"

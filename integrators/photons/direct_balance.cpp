@@ -35,6 +35,7 @@ bool DirectBalance::Densities::enough_photons() const {
 
 float DirectBalance::weight_of_photon(const SceneLight& light, const Light& state, const LightStart& start,
                                       const Place& place) const {
+  if (light.glow.medium != kNoMedium) return 1;
   const Densities d = densities(light, state, start, place, pdf_w_of(state, start, place.p));
   return d.enough_photons() ? 1 : d.photons / d.all();
 }

@@ -3,12 +3,14 @@
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
+#include "dspm/integrators/photons/beam_light.h"
 #include "dspm/integrators/photons/direct_balance.h"
 #include "dspm/integrators/photons/hit_point_writer.h"
 #include "dspm/integrators/photons/trace_hit_points.h"
 #include "dspm/integrators/transport/balance.h"
 #include "dspm/integrators/transport/camera_path.h"
 #include "dspm/integrators/transport/direct_light.h"
+#include "dspm/integrators/transport/medium_passage.h"
 #include "dspm/integrators/transport/path_step.h"
 #include "dspm/world/scene/scene.h"
 
@@ -17,7 +19,12 @@ namespace dspm {
 class HitPointLight {
  public:
   HitPointLight(const Scene& scene, const HitPointSettings& settings, HitPointWriter& out)
-      : scene_(scene), settings_(settings), out_(out) {}
+      : scene_(scene), settings_(settings), out_(out), of_beams_(scene, out) {}
+
+  /// Adds direct light that a medium scatters along a section of the path's segment.
+  void add(const CameraPath& path, const MediumSection& section) {
+    if (settings_.light_media && path.bounces < settings_.max_depth) of_beams_.add(path, section);
+  }
 
   /// Adds direct light by one shadow ray, and by another for each light that a ray tells all about. Rough lobes do not
   /// wait until they are chosen, and share the ray with glossy ones: highlights of a coat need no path that chooses the
@@ -66,6 +73,7 @@ class HitPointLight {
   const Scene& scene_;
   const HitPointSettings& settings_;
   HitPointWriter& out_;
+  BeamLight of_beams_;
 };
 
 }  // namespace dspm

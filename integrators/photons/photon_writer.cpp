@@ -7,6 +7,7 @@
 namespace dspm {
 
 bool PhotonWriter::is_wanted(const PhotonPath& path, const PhotonOrigin& from) const {
+  if (from.light.glow.medium != kNoMedium && path.kind == kDirectPhotons) return true;
   if (path.kind == kDirectPhotons && settings_.rays_tell && is_told_by_a_ray(scene_, from.light)) return false;
   return (path.kind & settings_.kinds) != 0;
 }
@@ -37,7 +38,8 @@ void PhotonWriter::store_on_curve(const PhotonPath& path, const PhotonOrigin& fr
 }
 
 void PhotonWriter::store_in_medium(const PhotonPath& path, const PhotonOrigin& from, const MediumVertex& vertex) {
-  if (path.kind == kDirectPhotons && settings_.rays_light_media) return;
+  const bool found_by_rays = settings_.rays_light_media && from.light.glow.medium == kNoMedium;
+  if (path.kind == kDirectPhotons && found_by_rays) return;
   for (const MediumVertex::State& state : vertex.states) {
     const FrameSet frames = state.frames & path.frames;
     Rgb flux = path.throughput * state.albedo;

@@ -8,7 +8,6 @@
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/system/parallel.h"
-#include "dspm/integrators/photons/beam_light.h"
 #include "dspm/integrators/photons/hit_point_light.h"
 #include "dspm/integrators/photons/hit_point_writer.h"
 #include "dspm/integrators/tiles.h"
@@ -58,7 +57,6 @@ class HitPointTracer {
         tile_(out),
         out_(scene, settings, out),
         light_(scene, settings, out_),
-        beam_light_(scene, out_),
         branches_(scene, out.paths) {}
 
   /// Traces the camera path of pixel x, y of the full image. Paths whose frames part wait for finish().
@@ -108,9 +106,7 @@ class HitPointTracer {
 
   /// A path that has left a hit point looks for lights alone.
   void beamed(const CameraPath& path, const MediumSection& section) {
-    if (path.indirect) return;
-    out_.add_beam(path, section);
-    if (settings_.light_media && path.bounces < settings_.max_depth) beam_light_.add(path, section);
+    if (!path.indirect) out_.add_beam(path, section), light_.add(path, section);
   }
 
   void arrived(const CameraPath& path, const Vertex& vertex) {
@@ -202,8 +198,7 @@ class HitPointTracer {
   /// Calls fn(const BsdfSample&) unless the frames end.
   template <class Fn>
   void scatter(const CameraPath& path, const Vertex& vertex, const Bsdf& bsdf, const LobeChoice& choice, Fn&& fn) {
-    // Scattered rays and shadow rays never bring what point, spot and distant lights send through specular lobes: it is
-    // left to the photons stored for this purpose.
+    // What point, spot and distant lights send through specular lobes is left to the photons stored for this purpose.
     const LobeSet glossy = choice.lobes & glossy_lobes(bsdf, vertex.point, settings_.least_alpha);
     const FrameFactor f{path.frames, Rgb(1 / choice.chance)};
     if (glossy != 0 && !path.indirect && has_hidden_)
@@ -253,8 +248,7 @@ class HitPointTracer {
     if (!survives(branch, path, vertex, factors)) branches_.drop();
   }
 
-  /// Multiplies what the branch carries by the factors, and plays Russian roulette. Returns whether it goes on in any
-  /// frame.
+  /// Multiplies what the branch carries by the factors, and plays roulette. Returns whether it goes on in any frame.
   bool survives(CameraPath& branch, const CameraPath& path, const Vertex& vertex,
                 std::span<const FrameFactor> factors) {
     const float u = path.random.number(path.bounces, kRoulette);
@@ -273,7 +267,6 @@ class HitPointTracer {
   HitPointTile& tile_;
   HitPointWriter out_;
   HitPointLight light_;
-  BeamLight beam_light_;
   BranchingPath<CameraPath> branches_;
   PartedPaths parted_;
   bool finishing_ = false;

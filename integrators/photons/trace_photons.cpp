@@ -58,10 +58,12 @@ class PhotonTracer {
     if (light.is_drowned) return;
     const EmissionNumbers& u = chosen.numbers;
     for (const PhotonStart& start : starts_.of(choice, chosen.light)) {
-      const FrameSet frames = start.frames & settings_.frames;
+      FrameSet frames = start.frames & settings_.frames;
       if (frames.empty()) continue;
       const auto emission = start.light->emit({u[0], u[1]}, {u[2], u[3]});
       if (!emission || is_black(emission->flux)) continue;
+      if (light.glow.medium != kNoMedium && (frames = frames_in(light.glow, scene_, emission->ray, frames)).empty())
+        continue;
       const Rgb flux = emission->flux * start.factor / chosen.density * settings_.flux;
       if (!is_light(flux) || !is_finite(emission->ray)) {
         reject(frames, {SceneElement::Kind::light, chosen.light});

@@ -17,4 +17,37 @@ FrameArray<Meeting> meetings_along(const Scene& scene, const Ray& ray, FrameSet 
   return meetings;
 }
 
+namespace {
+
+constexpr int kMostSurfaces = 64;
+
+FrameSet frames_in(const Glow& glow, const Scene& scene, const Ray& ray, FrameSet frames, int surfaces) {
+  FrameSet inside;
+  for (const Meeting& meeting : meetings_along(scene, ray, frames)) {
+    const auto is_there = [&](int medium) { return medium == glow.medium; };
+    if (meeting.is_boundary) {
+      if (is_there(BoundaryPoint(*scene.boundaries, meeting.hit, ray.direction).medium_beyond(-ray.direction)))
+        inside |= meeting.frames;
+      continue;
+    }
+    if (meeting.hit.missed()) {
+      if (!glow.is_parted) inside |= meeting.frames;
+      continue;
+    }
+    const SurfacePoint point = scene.surface_point(meeting.hit, ray.direction);
+    if (const MediumInterface* sides = scene.interface_at(meeting.hit.shape); sides != nullptr) {
+      if (is_there(sides->medium_towards(dot(ray.direction, point.ng) < 0))) inside |= meeting.frames;
+    } else if (surfaces < kMostSurfaces) {
+      inside |= frames_in(glow, scene, point.spawn(ray.direction), meeting.frames, surfaces + 1);
+    }
+  }
+  return inside;
+}
+
+}  // namespace
+
+FrameSet frames_in(const Glow& glow, const Scene& scene, const Ray& ray, FrameSet frames) {
+  return frames_in(glow, scene, ray, frames, 0);
+}
+
 }  // namespace dspm

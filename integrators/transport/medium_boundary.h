@@ -32,6 +32,9 @@ inline FrameArray<Meeting> boundaries_along(const Scene& scene, const Ray& ray, 
 /// surface counts.
 FrameArray<Meeting> meetings_along(const Scene& scene, const Ray& ray, FrameSet frames);
 
+/// Returns the frames in which the ray starts in a medium that gives off light. Surfaces that part no media do not tell.
+FrameSet frames_in(const Glow& glow, const Scene& scene, const Ray& ray, FrameSet frames);
+
 /// A point of a boundary, as a ray of that direction meets it.
 class BoundaryPoint {
  public:

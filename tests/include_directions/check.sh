@@ -23,6 +23,7 @@ BEGIN {
   confined["^draco/"] = "^lang/gltf/draco[.]"
   confined["^meshoptimizer[.]h"] = "^lang/gltf/meshopt[.]"
   confined["^nanovdb/"] = "^media/read_nanovdb[.]"
+  confined["^openvdb/"] = "^media/openvdb/"
   confined["^boost/(asio|beast)"] = "^looking/serve/http_"
   confined["^CGAL/"] = "^(shapes/(cgal_mesh|mesh_check|mesh_repair|loopsubdiv)|scenes/generator/simplify)[.]"
 

@@ -159,7 +159,7 @@ std::vector<LightSamples> make_light_samples(const std::vector<WorldLight>& ligh
     for (const WorldLight& light : lights) all.push_back({0, light.bounds});
     for (FileFrame f(0); f.slot() < choices.base; ++f)
       for (std::size_t i = 0; i < lights.size() && choices.of_frame[f.slot()] == c; ++i)
-        all[i].power += lights[i].power(f);
+        if (lights[i].glow_of == kNoMedium) all[i].power += lights[i].power(f);
     samples.emplace_back(all);
   }
   return samples;

@@ -11,6 +11,7 @@
 #include "dspm/base/params/params.h"
 #include "dspm/lights/emission_pattern.h"
 #include "dspm/lights/light_group.h"
+#include "dspm/world/lighting/medium_glow.h"
 #include "dspm/world/objects/likeness.h"
 #include "dspm/world/objects/param_key.h"
 #include "dspm/world/objects/placement_check.h"
@@ -83,6 +84,7 @@ class LightMaker {
                          "an \"angle\" of 0.01 is as sharp as 0");
     light->is_delta = !light->infinite;
     light->short_name = own.name.empty() ? own.type : own.name;
+    light->medium_interface = own.medium_interface;
     return light;
   }
 
@@ -102,10 +104,52 @@ class LightMaker {
     auto light = finish(use, fmt::format("area light \"{}\"", use.type), *plugin, states);
     if (light) light->is_delta = emitter.is_hidden;
     if (light) light->short_name = use.name.empty() ? object_of(emitter) : use.name;
+    if (light && !emitter.shapes.empty())
+      light->medium_interface =
+          geometry_.shapes()[static_cast<std::size_t>(emitter.shapes.front())].use->medium_interface;
+    return light;
+  }
+
+  /// Makes the light of what a medium gives off: in the box of all shapes that it touches, or in its own.
+  WorldLight make(const Media& media, const Media::Glowing& medium) {
+    const Bounds3 shapes = touching(media, medium.medium);
+    WorldLight light;
+    light.name = fmt::format("the glow of medium \"{}\"", medium.name), light.short_name = medium.name;
+    light.use = &medium.use, light.glow_of = medium.medium, light.group = kOtherLights;
+    std::vector<int> state_of;  // by the medium's
+    for (std::size_t s = 0; s < medium.states.states.size(); ++s) {
+      const std::shared_ptr<const Medium>& state = medium.states.states[s];
+      const Bounds3 box = shapes.empty() ? state->extent().value_or(Bounds3()) : part_in(shapes, state->extent());
+      const bool shines = state->glows() && !box.empty();
+      state_of.push_back(shines ? static_cast<int>(light.keys.size()) : -1);
+      if (!shines) continue;
+      ContentKey& key = light.keys.emplace_back("glow");
+      key.add_bytes_of(medium.keys[s]), key.add_bytes_of(box);
+      const auto known = known_.find(key);
+      light.states.states.push_back(known != known_.end() ? known->second
+                                                          : std::make_shared<const MediumGlow>(state, box));
+      light.powers.push_back(luminance(light.states.states.back()->power()));
+    }
+    for (const int state : medium.states.state_of)
+      light.states.state_of.push_back(state < 0 ? -1 : state_of[static_cast<std::size_t>(state)]);
     return light;
   }
 
  private:
+  /// Returns the bounds of all shapes that the medium lies inside or outside of.
+  Bounds3 touching(const Media& media, int medium) const {
+    Bounds3 all;
+    for (const WorldShape& shape : geometry_.shapes()) {
+      const MediumInterface sides = media.interface(shape.use->medium_interface);
+      if (sides.inside == sides.outside || (sides.inside != medium && sides.outside != medium)) continue;
+      for (int i = 0; i < shape.placed.shape->primitive_count(); ++i) all.add(shape.placed.bounds(i));
+    }
+    return all;
+  }
+  static Bounds3 part_in(const Bounds3& box, const std::optional<Bounds3>& extent) {
+    return extent ? Bounds3{max(box.low, extent->low), min(box.high, extent->high)} : box;
+  }
+
   LightState of_directive(const Emitter& emitter, int shape, FileFrame f) const {
     const AreaLightUse& use = description_.light_of(*emitter.use, f);
     if (use.type != emitter.use->type)
@@ -303,8 +347,8 @@ void share_out(std::vector<WorldLight>& lights, int base, Diagnostics& diagnosti
 }  // namespace
 
 std::vector<WorldLight> make_lights(const SceneDescription& description, const Geometry& geometry, const Looks& looks,
-                                    const BoundingSphere& sphere, const std::vector<WorldLight>* sooner,
-                                    Diagnostics& diagnostics) {
+                                    const Media& media, const BoundingSphere& sphere,
+                                    const std::vector<WorldLight>* sooner, Diagnostics& diagnostics) {
   LightMaker maker(description, geometry, looks, sphere, sooner, diagnostics);
   std::vector<WorldLight> lights;
   // One that cannot be made leaves an empty slot, so that emitters keep their numbers; its error stops the scene.
@@ -312,6 +356,8 @@ std::vector<WorldLight> make_lights(const SceneDescription& description, const G
     for (const PluginUse* typed : types_of(description, own))
       lights.push_back(maker.make(own, *typed).value_or(WorldLight{}));
   for (const Emitter& emitter : geometry.emitters()) lights.push_back(maker.make(emitter).value_or(WorldLight{}));
+  if (diagnostics.error_count() == 0)
+    for (const Media::Glowing& medium : media.glowing()) lights.push_back(maker.make(media, medium));
   refuse_unknown_replacements(description, geometry, diagnostics);
   if (diagnostics.error_count() > 0) return lights;
   const int base = description.frames.base().count();

@@ -11,6 +11,7 @@
 #include "dspm/world/lighting/bounding_sphere.h"
 #include "dspm/world/objects/content_key.h"
 #include "dspm/world/objects/geometry.h"
+#include "dspm/world/objects/media.h"
 
 namespace dspm {
 
@@ -28,6 +29,8 @@ struct WorldLight {
   std::string name;        // for messages
   std::string short_name;  // as the scene gives it, or of its type or its shape
   const PluginUse* use = nullptr;
+  int medium_interface = -1;  // of what emits it, see ShapeUse
+  int glow_of = kNoMedium;    // the medium that gives it off
 
   /// Returns the power in a frame of the file; 0 if the light is not there.
   double power(FileFrame frame) const {
@@ -36,11 +39,11 @@ struct WorldLight {
   }
 };
 
-/// Returns the directives' lights, then the geometry's emitters in their order. Those that are no shape's are shared with
-/// `sooner`, lights of the same scene at another time, if they are made of the same; it may be null.
+/// Returns the directives' lights, then the geometry's emitters in their order, then what media give off. Those that are no
+/// shape's are shared with `sooner`, lights of the same scene at another time, if they are made of the same; it may be null.
 std::vector<WorldLight> make_lights(const SceneDescription& description, const Geometry& geometry, const Looks& looks,
-                                    const BoundingSphere& sphere, const std::vector<WorldLight>* sooner,
-                                    Diagnostics& diagnostics);
+                                    const Media& media, const BoundingSphere& sphere,
+                                    const std::vector<WorldLight>* sooner, Diagnostics& diagnostics);
 
 /// Returns SceneLight::alike of a light in the scene of these frames of the file.
 std::vector<SceneLight::Alike> alike_in(const WorldLight& light, const std::vector<FileFrame>& frames);

@@ -111,7 +111,6 @@ void Media::add(const MediumUse& own, const Media* sooner) {
   const auto of_base = same ? before->majorants.front() : majorants_of(common);
   for (std::size_t i = 0; i < medium.states.states.size(); ++i) {
     const Medium& state = *medium.states.states[i];
-    glow_ = glow_ || state.glows();
     medium.majorants.push_back(i < base ? of_base : same ? before->majorants[i] : majorants_of({&state}));
   }
   by_name_.emplace(own.name, static_cast<int>(media_.size()));
@@ -134,6 +133,21 @@ int Media::find(const std::string& name, const SourceLocation& where) {
 
 MediumInterface Media::interface(int use) const {
   return use < 0 ? MediumInterface{} : interfaces_[static_cast<std::size_t>(use)];
+}
+
+std::vector<Media::Glowing> Media::glowing() const {
+  std::vector<Glowing> all;
+  for (std::size_t m = 0; m < media_.size(); ++m) {
+    const OfFile& medium = media_[m];
+    const auto is_named = [&](const MediumInterface& sides) {
+      return sides.inside == static_cast<int>(m) || sides.outside == static_cast<int>(m);
+    };
+    if (std::ranges::any_of(medium.states.states, [](const auto& state) { return state->glows(); }) &&
+        std::ranges::any_of(interfaces_, is_named))
+      all.push_back(
+          {static_cast<int>(m), medium.name, use_of(static_cast<int>(m), FileFrame(0)), medium.states, medium.keys});
+  }
+  return all;
 }
 
 std::vector<SceneMedium> Media::in(const std::vector<FileFrame>& frames) const {

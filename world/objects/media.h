@@ -24,8 +24,15 @@ class Media {
 
   /// Returns whether any interface names a medium. If none does, scenes have no media.
   bool are_used() const { return used_; }
-  /// Returns whether any of them gives off light.
-  bool glow() const { return glow_; }
+  /// One that gives off light in some frame, and that an interface names.
+  struct Glowing {
+    int medium;
+    const std::string& name;
+    const PluginUse& use;
+    const Timeline<std::shared_ptr<const Medium>>& states;
+    const std::vector<ContentKey>& keys;  // by state
+  };
+  std::vector<Glowing> glowing() const;
   std::vector<SceneMedium> in(const std::vector<FileFrame>& frames) const;
   /// By SceneDescription::medium_interfaces.
   const std::vector<MediumInterface>& interfaces() const { return interfaces_; }
@@ -52,7 +59,7 @@ class Media {
   std::vector<OfFile> media_;
   std::map<std::string, int> by_name_;
   std::vector<MediumInterface> interfaces_;
-  bool used_ = false, glow_ = false;
+  bool used_ = false;
 };
 
 }  // namespace dspm

@@ -50,6 +50,7 @@ struct SceneLight {
   std::vector<float> choice_shares;
   int group = 0;               // into Scene::light_groups
   MediumInterface media = {};  // of its surface; without one, it is outside
+  Glow glow = {};              // of a medium: no shadow ray looks for it
   bool is_drowned = false;     // infinitely far away, beyond a medium without end: none of its light arrives
 };
 

@@ -26,6 +26,12 @@ struct MediumInterface {
   int medium_towards(bool is_outside) const { return is_outside ? outside : inside; }
 };
 
+/// What a medium gives off. Camera paths see it on their way, and photons bring it to where they do not look for it.
+struct Glow {
+  int medium = kNoMedium;
+  bool is_parted = false;  // some shape is a border of the medium
+};
+
 /// Where media begin and end without a surface that scatters light. Only paths in scenes with media ask for them.
 struct MediumBoundaries {
   std::vector<PlacedShape> shapes;
