@@ -47,7 +47,7 @@ fake id 'echo 0'
 fake sudo '"$@"'
 fake apt-cache 'for each in "${@:2}"; do [[ $each == zstd ]] || printf "%s:\n  Installed: (none)\n  Candidate: 4:2099.1-1\n" $each; done'
 said=$(dev build extra test)
-says "$said" "dev: installing g++ cmake ninja-build" "libmeshoptimizer-dev libnanovdb-dev clang" "apt has no zstd" "--no-install-recommends"
+says "$said" "dev: installing g++ cmake ninja-build" "libmeshoptimizer-dev libnanovdb-dev libopenvdb-dev clang" "apt has no zstd" "--no-install-recommends"
 [[ $said != *"exit code"* ]] || says "$said" "no failure"
 
 # Ubuntu 22.04: package by package, and nothing is installed.

@@ -134,7 +134,7 @@ TEST(Media, ScatterALampsLightOnce) {
               integrator,
               homogeneous("fog", fmt::format(R"("rgb sigma_a" [.05 .1 .3] "rgb sigma_s" [.2 .2 .1] "float g" {})", g)),
               R"(LightSource "point" "rgb I" [10 10 10] "point3 from" [0 1.5 0])", "fog"),
-          has_photons(integrator) ? 100 : 3000);
+          has_photons(integrator) ? 30 : 2000);
       const auto expected = [&](double sigma_a, double sigma_s) {
         return integral(0, 60, [&](double s) {
           const double z = s - 3, d = std::hypot(1.5, z), cosine = -z / d, sigma_t = sigma_a + sigma_s;
@@ -245,8 +245,8 @@ AttributeBegin MediumInterface "smoke" "" Material "interface" Shape "sphere" "f
 )";
   for (const std::string& integrator : integrators(2000))
     for (const std::string& contents : {ball_of("milk"), ball_of("smoke"), glass, in_mist}) {
-      const Rgb seen = mean_of(looking(integrator, milk + smoke, kSky + contents), has_photons(integrator) ? 10 : 250);
-      expect_colour(seen, 1, 1, 1, has_photons(integrator) ? 0.08 : 0.035);
+      const Rgb seen = mean_of(looking(integrator, milk + smoke, kSky + contents), has_photons(integrator) ? 16 : 400);
+      expect_colour(seen, 1, 1, 1, has_photons(integrator) ? 0.08 : 0.025);
     }
 }
 
