@@ -26,7 +26,7 @@ constexpr std::int64_t kLeastPaths = 1 << 12, kMostPaths = 1 << 14, kPathsOfALig
 constexpr std::int64_t kLeastLightPaths = 10'000;  // a picture may be small, and what light has to pass smaller
 constexpr std::int64_t kFoundAtOnce = 1 << 8;      // by one thread
 constexpr std::size_t kTreeBytes = 256 * EmissionGuide::kMostCells;  // while it grows
-constexpr double kLeastPilotPixels = 1 << 11, kMostPilotPixels = 1 << 14, kPixelsAPilot = 4, kHitPointsOfAPath = 4;
+constexpr double kLeastPilotPixels = 1 << 11, kMostPilotPixels = 1 << 14, kPixelsAPilot = 4, kHitPointsOfAPath = 6;
 
 // If too few paths are found, the search radius begins far larger, and shrinks once enough are.
 constexpr float kWidest = 1024, kShrink = 4;
