@@ -75,6 +75,7 @@ void add_media_of_lights(Scene& scene, const std::vector<WorldLight>& lights, co
     SceneLight& light = scene.lights[i];
     if (const int glowing = lights[i].glow_of; glowing != kNoMedium) {
       light.glow = {glowing, is_parted(scene, glowing)}, light.media = {glowing, glowing};
+      scene.media[static_cast<std::size_t>(glowing)].light = static_cast<int>(i);
       continue;
     }
     const MediumInterface around = media.interface(lights[i].medium_interface);

@@ -72,9 +72,8 @@ class PathTracer {
   }
 
   void glowed(const CameraPath& path, FrameSet frames, const Rgb& radiance) {
-    add(path, path.bounces, frames, path.throughput * radiance, [&] {
-      return SceneElement{SceneElement::Kind::medium, path.inside.medium};
-    });
+    add(path, path.bounces, frames, path.throughput * radiance,
+        [&] { return glow_element(scene_, path.inside.medium); });
   }
 
   void escaped(const CameraPath& path, FrameSet frames) {

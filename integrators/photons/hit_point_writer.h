@@ -89,9 +89,7 @@ class HitPointWriter {
   /// scatters. Close to the camera the radius is not that of few pixels: single photons there would be specks of light.
   void add_beam(const CameraPath& path, const MediumSection& section) {
     if (max_component(section.glow) > 0)
-      see(path, path.frames, section.glow, [&] {
-        return SceneElement{SceneElement::Kind::medium, path.inside.medium};
-      });
+      see(path, path.frames, section.glow, [&] { return glow_element(scene_, path.inside.medium); });
     if (path.bounces >= settings_.max_depth) return;
     const auto pixels = [&](float length) { return kRadiusInPixels * path.camera->pixel_spacing(length); };
     const float length = path.length + path.passed, near = pixels(length), most = kLargestShareOfScene * scene_.radius;

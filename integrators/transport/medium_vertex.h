@@ -19,6 +19,12 @@ struct Flights {
   int numbers = 0;  // random ones, drawn for the next segment so far
 };
 
+/// What gives off a medium's own light: the light that it is or, if that lights nothing, the medium.
+inline SceneElement glow_element(const Scene& scene, int medium) {
+  const int light = scene.media[static_cast<std::size_t>(medium)].light;
+  return light < 0 ? SceneElement{SceneElement::Kind::medium, medium} : SceneElement{SceneElement::Kind::light, light};
+}
+
 /// A collision, in the frames that meet the medium at the same point. It is a place that is lit, as a Vertex is.
 struct MediumVertex {
   /// How the medium scatters light there in some of the frames.

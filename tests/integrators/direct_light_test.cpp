@@ -98,7 +98,7 @@ TEST_P(ManyLamps, GiveTheirIrradiance) {
       const Floor floor{ring_of_lamps(count, lamps)};
       const auto irradiance = [&](double x, double y) { return irradiance_of_ring(count, x, y); };
       const Tiles exact = tiles_of({{floor_picture(floor, irradiance)}});
-      const Verdict verdict = agreement(rendered(floor.text(GetParam()), 12, seeds(16)), exact, {0.0005, 0.003});
+      const Verdict verdict = agreement(rendered(floor.text(GetParam()), 12, seeds(12)), exact, {0.0005, 0.003});
       EXPECT_TRUE(verdict.passed) << count << (lamps == Lamps::points ? " points: " : " balls: ") << verdict.message;
     }
 }

@@ -92,7 +92,7 @@ class DsppmEqualsSppm : public ::testing::TestWithParam<int> {};
 TEST_P(DsppmEqualsSppm, OnRandomScenes) {
   Comparison sum;
   const int frames = GetParam();
-  const int scenes = frames > 16 ? 4 : seeds(24);
+  const int scenes = frames > 16 ? 4 : seeds(16);
   for (int i = 0; i < scenes; ++i) {
     const unsigned seed = static_cast<unsigned>(1000 * frames + i);
     const char* estimator = i % 4 == 3 ? "kz11" : "hj09";

@@ -87,6 +87,38 @@ class LightGroupsOf : public testing::TestWithParam<const char*> {
   std::string text() const { return scene(GetParam()); }
 };
 
+// What a medium gives off, seen directly and brought by photons, is of the lights without a group.
+TEST(LightGroups, HaveTheLightOfMediaThatGlow) {
+  for (const char* integrator :
+       {R"("path")", R"("dsppm" "integer photons" 4000)", R"("sppm" "integer photons" 4000)"}) {
+    TestScene test(fmt::format(R"(
+Integrator {}
+LookAt 0 1 -5  0 1 0  0 1 0
+Camera "perspective" "float fov" 50
+Film "rgb" "integer xresolution" 16 "integer yresolution" 12
+WorldBegin
+LightSource "point" "string group" "key" "rgb I" [9 0 0] "point3 from" [2 3 -1]
+MakeNamedMedium "flame" "string type" "homogeneous" "rgb sigma_a" [1 1 1] "rgb sigma_s" [.5 .5 .5] "rgb Le" [0 0 4]
+AttributeBegin Rotate -90 1 0 0 Shape "disk" "float radius" 6 AttributeEnd
+AttributeBegin MediumInterface "flame" "" Material "interface" Translate 0 1 0 Shape "sphere" "float radius" .8 AttributeEnd
+)",
+                               integrator),
+                   asking_for({"lights"}));
+    const auto scene = test.scene(test.all_frames());
+    const auto made = rendered(test, *scene);
+    const Image image = made->estimate(0), other = made->estimate(0, "light_other"),
+                key = made->estimate(0, "light_key");
+    Rgb total;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+      expect_near(key.pixels[i], {image.pixels[i].r, 0, 0});
+      expect_near(other.pixels[i], {0, 0, image.pixels[i].b});
+      total += image.pixels[i];
+    }
+    EXPECT_GT(total.r, 1) << integrator;
+    EXPECT_GT(total.b, 1) << integrator;
+  }
+}
+
 TEST_P(LightGroupsOf, AreTheLightOfTheirLights) {
   TestScene test(text(), asking_for({"lights"}));
   EXPECT_EQ(test.job().settings.outputs, kGroups);

@@ -17,6 +17,7 @@ namespace dspm {
 struct SceneMedium {
   FrameStates<Medium> states;
   FrameStates<Majorants> majorants;  // one for all frames of the file, but for variations that were added to it
+  int light = -1;                    // into Scene::lights: what it gives off
 };
 
 /// The media on both sides of a surface: where its normal points to is outside.
