@@ -7,20 +7,14 @@
 #include <stdexcept>
 #include <vector>
 
+#include "dspm/base/system/beside_library.h"
 #include "dspm/media/grid_parts.h"
 #include "dspm/media/openvdb/raw_grid.h"
 
 namespace dspm {
 namespace {
 
-/// Returns the path of the module, next to the library that this code is in.
-std::filesystem::path module_file() {
-  Dl_info info{};
-  dladdr(reinterpret_cast<const void*>(&read_openvdb), &info);
-  std::error_code error;
-  const std::filesystem::path library = std::filesystem::canonical(info.dli_fname, error);
-  return library.parent_path() / DSPM_OPENVDB_MODULE;
-}
+std::filesystem::path module_file() { return beside_library(DSPM_OPENVDB_MODULE); }
 
 /// Returns null if the module cannot be loaded, for the reason that dlerror() gives.
 ReadOpenVdb* load_module() {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "dspm/base/params/errors.h"
+#include "dspm/base/system/beside_library.h"
 
 namespace dspm {
 namespace {
@@ -25,14 +26,7 @@ bool was_started_by_mpi() {
          (std::getenv("PMIX_RANK") != nullptr && is_above_one("SLURM_STEP_NUM_TASKS"));
 }
 
-/// Returns the path of the module, next to the library that this code is in.
-std::filesystem::path module_file() {
-  Dl_info info{};
-  dladdr(reinterpret_cast<const void*>(&find_link), &info);
-  std::error_code error;
-  const std::filesystem::path library = std::filesystem::canonical(info.dli_fname, error);
-  return library.parent_path() / DSPM_MPI_MODULE;
-}
+std::filesystem::path module_file() { return beside_library(DSPM_MPI_MODULE); }
 
 using MakeLink = Link*();
 
