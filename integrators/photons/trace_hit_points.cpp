@@ -35,7 +35,7 @@ struct End {
   LobeChoice choice;
   bool constant;  // whether f is, and so stored here; else the bsdf gives it
   Rgb f;
-  BsdfSlot bsdf;
+  const Bsdf* bsdf;
 
   std::optional<Rgb> along(const End& first) const {
     if (constant != first.constant || choice.lobes != first.choice.lobes) return std::nullopt;
@@ -119,7 +119,8 @@ class HitPointTracer {
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
       arriving.frames = frames;
       const LobeChoice choice = choose_lobes(bsdf, path, vertex, settings_.least_alpha);
-      light_.add(arriving, vertex, bsdf, choice);
+      const HitPointLight::Surface surface{frames, &bsdf, choice};
+      light_.add(arriving, vertex, {&surface, 1});
       if (choice.rough) {
         end(vertex, bsdf, choice, [&](const std::optional<Rgb>& constant) {
           const FrameFactor f{frames, constant.value_or(Rgb(1)) / choice.chance};
@@ -151,16 +152,22 @@ class HitPointTracer {
 
   /// Scatters at a material that differs between the frames.
   [[gnu::noinline]] void scatter_together(const CameraPath& path, const Vertex& vertex) {
+    FrameArray<BsdfSlot> slots;
+    FrameArray<HitPointLight::Surface> surfaces;
+    for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
+      surfaces.add(
+          {frames, &*slots.add(BsdfSlot::copy_of(bsdf)), choose_lobes(bsdf, path, vertex, settings_.least_alpha)});
+    });
+    light_.add(path, vertex, std::span<const HitPointLight::Surface>(surfaces));
     FrameArray<End> ends;
     FrameArray<Scattered> scattered, leaving;
-    for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
+    for (const auto& [frames, pointer, choice] : surfaces) {
+      const Bsdf& bsdf = *pointer;
       CameraPath branch = path;
       branch.frames = frames;
-      const LobeChoice choice = choose_lobes(bsdf, path, vertex, settings_.least_alpha);
-      light_.add(branch, vertex, bsdf, choice);
       if (choice.rough) {
         end(vertex, bsdf, choice, [&](const std::optional<Rgb>& constant) {
-          ends.add({frames, choice, constant.has_value(), constant.value_or(Rgb()), BsdfSlot::copy_of(bsdf)});
+          ends.add({frames, choice, constant.has_value(), constant.value_or(Rgb()), &bsdf});
         });
         sample_further(branch, vertex, bsdf, choice, [&](const BsdfSample& sample) {
           leaving.add({frames, sample.weight / choice.chance, sample, true});
@@ -170,10 +177,10 @@ class HitPointTracer {
           scattered.add({frames, sample.weight / choice.chance, sample, false});
         });
       }
-    });
+    }
     // Frames whose scattering functions are multiples of one another share a hit point.
     for_each_joint(ends, settings_.share_paths, [&](const End& first, std::span<const FrameFactor> factors) {
-      out_.add_hit_point(tile_.hit_points, path, vertex, factors, first.constant ? nullptr : &*first.bsdf,
+      out_.add_hit_point(tile_.hit_points, path, vertex, factors, first.constant ? nullptr : first.bsdf,
                          first.choice.lobes);
     });
     for_each_joint(scattered, settings_.share_paths, [&](const Scattered& first, std::span<const FrameFactor> factors) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frame_array.h"
@@ -109,9 +110,11 @@ struct ChosenSample {
 /// split first.
 template <class Offer>
 void offer_to(FrameSet frames, FrameArray<ChosenSample>& choosing, Offer&& offer) {
-  for (std::size_t i = 0, count = choosing.size(); i < count; ++i) {
+  FrameSet left = frames;
+  for (std::size_t i = 0, count = choosing.size(); i < count && !left.empty(); ++i) {
     const FrameSet others = choosing[i].frames - frames;
     if (others == choosing[i].frames) continue;
+    left -= choosing[i].frames;
     if (!others.empty()) {
       choosing.add(choosing[i]).frames = others;
       choosing[i].frames &= frames;
@@ -163,10 +166,21 @@ inline Ray shadow_ray(const MediumVertex& vertex, const Illumination& light) {
   return {vertex.p(), light.wi, light.distance * kShortOfLight};
 }
 
+/// Calls take(FrameSet, const Rgb& f) with what a place scatters of a light's sample in these frames: `scattered` is a
+/// function of the sample, if it scatters alike in all of them, or of (frames, sample, take).
+template <class ScatteringFunction, class Take>
+void for_each_scattered(FrameSet frames, const LightSample& sample, ScatteringFunction& scattered, Take&& take) {
+  if constexpr (std::is_invocable_v<ScatteringFunction&, const LightSample&>)
+    take(frames, scattered(sample));
+  else
+    scattered(frames, sample, take);
+}
+
 /// Samples lights with the path's random numbers for its next bounce, traces a shadow ray to one of the samples and
 /// calls fn(FrameSet, const Rgb&, giver) with the radiance that the place, a Vertex or a MediumVertex, scatters back along
-/// the path, for those of `frames` in which nothing is in between. `scattered(const LightSample&)` returns f, weighted if
-/// other ways find the same light. Radiance that is negative or not finite is passed on; giver() then returns its source.
+/// the path, for those of `frames` in which nothing is in between. `scattered` gives f, weighted if other ways find the
+/// same light, to for_each_scattered(). Radiance that is negative or not finite is passed on; giver() then returns its
+/// source.
 template <class Place, class ScatteringFunction, class Fn>
 void sample_direct_light(const Scene& scene, const PathState& path, const Place& place, FrameSet frames,
                          PathCounts& counts, ScatteringFunction&& scattered, Fn&& fn,
@@ -188,21 +202,33 @@ void sample_direct_light(const Scene& scene, const PathState& path, const Place&
     scene_light.states.for_each(of, [&](FrameSet common, const Light& light) {
       const auto lit = light.illuminate(place.p(), numbers);
       if (!lit) return;
-      const float pdf_w = samples * lit->pdf_w;
-      const Rgb f = scattered(LightSample{scene_light, light, *lit, in_weights * lit->pdf_w}) * place.cosine(lit->wi);
-      if (is_black(f)) return;
-      const Rgb radiance = f * lit->radiance / (pdf_w > 0 ? pdf_w : samples);
-      if (!is_light(radiance)) {
-        const SceneElement giver = is_light(f) ? light_element(scene, scene_light) : place.scatterer();
-        fn(common, radiance, [&] { return giver; });
-      } else if (!(max_component(radiance) > 0)) {
-        return;
-      } else if (delta_lights == DeltaLights::each && is_told_by_a_ray(scene, scene_light)) {
-        for_each_lit(*lit, common, [&](FrameSet open, const Rgb& transmittance) {
-          fn(open, radiance * transmittance, [&] { return light_element(scene, scene_light); });
+      const float pdf_w = samples * lit->pdf_w, cosine = place.cosine(lit->wi);
+      FrameArray<FrameFactor> received;
+      const auto receive = [&](FrameSet alike, const Rgb& unprojected) {
+        const Rgb f = unprojected * cosine;
+        if (is_black(f)) return;
+        const Rgb radiance = f * lit->radiance / (pdf_w > 0 ? pdf_w : samples);
+        if (!is_light(radiance)) {
+          const SceneElement giver = is_light(f) ? light_element(scene, scene_light) : place.scatterer();
+          fn(alike, radiance, [&] { return giver; });
+        } else if (max_component(radiance) > 0) {
+          received.add({alike, radiance});
+        }
+      };
+      for_each_scattered(common, LightSample{scene_light, light, *lit, in_weights * lit->pdf_w}, scattered, receive);
+      if (received.empty()) return;
+      if (delta_lights == DeltaLights::each && is_told_by_a_ray(scene, scene_light)) {
+        FrameSet receiving;
+        for (const FrameFactor& r : received) receiving |= r.frames;
+        for_each_lit(*lit, receiving, [&](FrameSet open, const Rgb& transmittance) {
+          for (const FrameFactor& r : received)
+            if (const FrameSet lit_frames = r.frames & open; !lit_frames.empty())
+              fn(lit_frames, r.factor * transmittance, [&] { return light_element(scene, scene_light); });
         });
       } else {
-        offer_to(common, choosing, [&](ChosenSample& chosen) { chosen.offer(offers, scene_light, *lit, radiance); });
+        for (const FrameFactor& r : received)
+          offer_to(r.frames, choosing,
+                   [&](ChosenSample& chosen) { chosen.offer(offers, scene_light, *lit, r.factor); });
       }
       ++offers;
     });
