@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/frame_array.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/integrators/caught_light.h"
@@ -49,14 +50,18 @@ class PathTracer {
   void arrived(const CameraPath& arriving, const Vertex& vertex) {
     CameraPath path = arriving;
     path.arrive(scene_, vertex);
+    add_emission(path, vertex);
+    if (path.bounces >= limits_.max_depth || path.indirect) return;
+    FrameArray<Surface> surfaces;
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
-      add_emission(path, vertex, frames);
-      if (path.bounces >= limits_.max_depth || path.indirect) return;
-      add_direct_light(path, vertex, frames, bsdf);
-      CameraPath branch = path;
-      branch.frames = frames, branch.travel(vertex.hit.t);
-      scatter(branch, vertex, bsdf);
+      surfaces.add({frames, BsdfSlot::copy_of(bsdf)});
     });
+    add_direct_light(path, vertex, surfaces);
+    for (const Surface& surface : surfaces) {
+      CameraPath branch = path;
+      branch.frames = surface.frames, branch.travel(vertex.hit.t);
+      scatter(branch, vertex, *surface.bsdf);
+    }
   }
 
   void collided(const CameraPath& arriving, const MediumVertex& vertex) {
@@ -88,24 +93,32 @@ class PathTracer {
 
   void lost(const CameraPath& path, FrameSet frames, const SceneElement& giver) { reject(path, frames, giver); }
 
-  void add_emission(const CameraPath& path, const Vertex& vertex, FrameSet frames) {
-    for_each_emission(scene_, vertex, frames, [&](FrameSet lit, const Rgb& radiance, const Light& light) {
+  void add_emission(const CameraPath& path, const Vertex& vertex) {
+    for_each_emission(scene_, vertex, vertex.frames, [&](FrameSet lit, const Rgb& radiance, const Light& light) {
       add(path, path.bounces, lit, path.throughput * radiance * weight_of_hit(scene_, path, vertex, light),
           [&] { return vertex.emitter_element(); });
     });
   }
 
-  void add_direct_light(const CameraPath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf) {
-    const auto scattered = [&](const LightSample& sample) {
-      const LobeSet all = bsdf.all_lobes();
-      const Rgb f = bsdf.evaluate(vertex.wo, sample.lit.wi, Transport::radiance, all);
-      if (is_black(f) || !(sample.pdf_w > 0)) return f;
-      return f * balance(sample.pdf_w, bsdf.pdf_w(vertex.wo, sample.lit.wi, Transport::radiance, all));
+  /// Frames whose surfaces differ share samples and rays.
+  void add_direct_light(const CameraPath& path, const Vertex& vertex, const FrameArray<Surface>& surfaces) {
+    const auto scattered = [&](FrameSet of, const LightSample& sample, auto&& take) {
+      for (const auto& [frames, bsdf] : surfaces) {
+        const FrameSet common = frames & of;
+        if (!common.empty()) take(common, weighted_f(vertex, *bsdf, sample));
+      }
     };
-    sample_direct_light(scene_, path, vertex, frames, counts_, scattered,
+    sample_direct_light(scene_, path, vertex, vertex.frames, counts_, scattered,
                         [&](FrameSet lit, const Rgb& radiance, auto&& giver) {
                           add(path, path.bounces + 1, lit, path.throughput * radiance, giver);
                         });
+  }
+
+  static Rgb weighted_f(const Vertex& vertex, const Bsdf& bsdf, const LightSample& sample) {
+    const LobeSet all = bsdf.all_lobes();
+    const Rgb f = bsdf.evaluate(vertex.wo, sample.lit.wi, Transport::radiance, all);
+    if (is_black(f) || !(sample.pdf_w > 0)) return f;
+    return f * balance(sample.pdf_w, bsdf.pdf_w(vertex.wo, sample.lit.wi, Transport::radiance, all));
   }
 
   void add_direct_light(const CameraPath& path, const MediumVertex& vertex, const MediumVertex::State& state) {

@@ -135,6 +135,12 @@ void for_each_surface(const Vertex& vertex, Fn&& fn) {
   });
 }
 
+/// One of a vertex's scattering functions, to be kept.
+struct Surface {
+  FrameSet frames;
+  BsdfSlot bsdf;
+};
+
 /// Calls fn(const Vertex&) with the normals that the materials' reliefs give: once, unless they differ between the
 /// frames. `vertex` has the normals of the shape. Curves have no relief: their normals are those of the ray.
 template <class Fn>

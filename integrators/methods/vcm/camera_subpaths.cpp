@@ -1,5 +1,8 @@
 #include "dspm/integrators/methods/vcm/camera_subpaths.h"
 
+#include <optional>
+#include <span>
+
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/vec.h"
@@ -96,21 +99,14 @@ class CameraSubpathTracer {
     FrameArray<Surface> surfaces;
     FrameArray<SubpathScattering> scattered;
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
-      if (can_connect(bsdf)) {
-        surfaces.add({frames, BsdfSlot::copy_of(bsdf)});
-        add_next_event(here, vertex, frames, bsdf);
-        if (pass_.ways.merging > 0 && vertex.point.turns)
-          merge_on_curve(here, vertex, frames, bsdf);
-        else if (pass_.ways.merging > 0)
-          merge(here, vertex, frames, bsdf);
-      }
+      if (can_connect(bsdf)) surfaces.add({frames, BsdfSlot::copy_of(bsdf)});
       const auto scattering = scatter(here, vertex, frames, bsdf, Transport::radiance);
       if (scattering && is_finite(scattering->sample.wi))
         scattered.add(*scattering);
       else if (scattering)
         reject(here, frames, vertex.material_element());
     });
-    if (pass_.ways.connecting && !surfaces.empty()) connect(here, vertex, std::span<const Surface>(surfaces));
+    if (!surfaces.empty()) bring_light(here, vertex, std::span<const Surface>(surfaces));
     for_each_joint(scattered, pass_.settings.share_paths,
                    [&](const SubpathScattering& first, std::span<const FrameFactor> factors) {
                      extend(here, vertex, first, factors);
@@ -147,17 +143,38 @@ class CameraSubpathTracer {
     });
   }
 
-  void add_next_event(const CameraSubpath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf) {
-    const LobeSet lobes = bsdf.all_lobes();
+  /// Brings light to surfaces that can be connected.
+  void bring_light(const CameraSubpath& path, const Vertex& vertex, std::span<const Surface> surfaces) {
+    add_next_event(path, vertex, surfaces);
+    for (const auto& [frames, bsdf] : surfaces) {
+      if (pass_.ways.merging > 0 && vertex.point.turns)
+        merge_on_curve(path, vertex, frames, *bsdf);
+      else if (pass_.ways.merging > 0)
+        merge(path, vertex, frames, *bsdf);
+    }
+    if (pass_.ways.connecting) connect(path, vertex, surfaces);
+  }
+
+  /// Frames whose surfaces differ share samples and rays.
+  void add_next_event(const CameraSubpath& path, const Vertex& vertex, std::span<const Surface> surfaces) {
     const VcmWays ways = ways_at(vertex);
-    const auto scattered = [&](const LightSample& sample) {
+    FrameSet frames;
+    for (const Surface& surface : surfaces) frames |= surface.frames;
+    const auto scattered = [&](FrameSet of, const LightSample& sample, auto&& take) {
       const Vec3& wi = sample.lit.wi;
-      const Rgb f = bsdf.evaluate(vertex.wo, wi, Transport::radiance, lobes);
-      if (is_black(f)) return f;
-      const float hit = sample.pdf_w > 0 ? bsdf.pdf_w(vertex.wo, wi, Transport::radiance, lobes) / sample.pdf_w : 0;
-      return f * weight_of_next_event(ways, hit,
-                                      {path.weights, bsdf.pdf_w(wi, vertex.wo, Transport::flux, lobes),
-                                       emission_over_next_event(pass_, sample, vertex.point), merging_after(ways, 0)});
+      std::optional<float> emission;
+      for (const auto& [in_frames, bsdf] : surfaces) {
+        const FrameSet common = in_frames & of;
+        if (common.empty()) continue;
+        const LobeSet lobes = bsdf->all_lobes();
+        const Rgb f = bsdf->evaluate(vertex.wo, wi, Transport::radiance, lobes);
+        if (is_black(f)) continue;
+        if (!emission) emission = emission_over_next_event(pass_, sample, vertex.point);
+        const float hit = sample.pdf_w > 0 ? bsdf->pdf_w(vertex.wo, wi, Transport::radiance, lobes) / sample.pdf_w : 0;
+        take(common, f * weight_of_next_event(ways, hit,
+                                              {path.weights, bsdf->pdf_w(wi, vertex.wo, Transport::flux, lobes),
+                                               *emission, merging_after(ways, 0)}));
+      }
     };
     sample_direct_light(scene_, path, vertex, frames, counts_, scattered,
                         [&](FrameSet lit, const Rgb& radiance, auto&& giver) {

@@ -18,12 +18,6 @@
 
 namespace dspm {
 
-/// One of a vertex's scattering functions.
-struct Surface {
-  FrameSet frames;
-  BsdfSlot bsdf;
-};
-
 /// A vertex of a camera subpath.
 struct CameraVertex {
   const Vertex& vertex;
