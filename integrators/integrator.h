@@ -78,6 +78,7 @@ using MakeIntegrator = std::unique_ptr<Integrator>(ParamReader&, const Scene&, c
 struct IntegratorPlugin : Plugin<MakeIntegrator> {
   int frames_together = kMaxFrames;  // in one scene; 1 for an integrator that does not share work
   bool sees_media = false;           // else scenes with media are refused
+  bool sees_moments = false;         // of one iteration: Iteration::moments
 };
 PluginTable<IntegratorPlugin>& integrator_plugins();
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
+#include "dspm/integrators/moment_pixels.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {
@@ -13,6 +15,18 @@ struct Iteration {
   /// and lights. It lives as long as the iteration.
   const Scene& scene;
   std::optional<double> delay = {};  // frames after their moments that it shows; none: all iterations have one scene
+  /// Scenes of several moments, the first of which is `scene`, if the integrator can show several: then each pixel's camera
+  /// path sees one. Else empty.
+  std::span<const Scene* const> moments = {};
+
+  /// Calls fn(const Scene&, const MomentPixels&) for each moment with the pixels that see it.
+  template <class Fn>
+  void for_each_moment(Fn&& fn) const {
+    if (moments.empty()) return fn(scene, MomentPixels{});
+    const auto count = static_cast<int>(moments.size());
+    for (int moment = 0; moment < count; ++moment)
+      fn(*moments[static_cast<std::size_t>(moment)], MomentPixels{moment, count});
+  }
 };
 
 }  // namespace dspm

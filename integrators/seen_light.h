@@ -17,8 +17,9 @@ struct SeenLight {
   FrameSet frames;
   Rgb radiance;
   int pixel;
-  int light = -1;       // the light that it comes from: an index of the scene; -1: not known
-  bool caught = false;  // on a shadow catcher: see caught_light.h
+  int light = -1;         // the light that it comes from: an index of the scene; -1: not known
+  bool caught = false;    // on a shadow catcher: see caught_light.h
+  bool of_media = false;  // they have sent it to the camera before the first surface
 };
 
 class SeenLightSums {
@@ -41,7 +42,10 @@ class SeenLightSums {
   }
   bool has_parts() const { return !parts_.empty(); }
   /// Adds the light to the sum of its group, not to the whole.
-  void add_to_part(const SeenLight& light) { add_to_part(light, groups_.of_light(light.light)); }
+  void add_to_part(const SeenLight& light) {
+    add_to_part(light, groups_.of_light(light.light));
+    if (light.of_media) add_to_part(light, groups_.of_media());
+  }
   void add_to_part(const SeenLight& light, int group) {
     if (group == LightGroups::kNone) return;
     light.frames.for_each([&](Frame f) { parts_.at(row(group, light.pixel), f) += light.radiance; });

@@ -21,6 +21,13 @@ struct MediumProperties {
   float g = 0;  // the mean cosine of scattering, between -1 and 1 [Henyey and Greenstein 1941]
 
   Rgb sigma_t() const { return sigma_a + sigma_s; }
+  /// The share of what is not passed on that is scattered.
+  Rgb albedo() const {
+    const Rgb all = sigma_t();
+    Rgb share;
+    for (int c = 0; c < 3; ++c) share[c] = all[c] > 0 ? sigma_s[c] / all[c] : 0;
+    return share;
+  }
 };
 
 class Medium {

@@ -2,12 +2,65 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <map>
+#include <span>
+#include <utility>
 
+#include "dspm/base/math/frames.h"
 #include "dspm/base/math/rng.h"
+#include "dspm/base/math/vec.h"
 #include "dspm/integrators/camera_numbers.h"
 
 namespace dspm {
+namespace {
+
+constexpr double kGoldenRatio = 0.6180339887498949;
+
+/// The boxes of all that may move, by frame and object.
+std::map<std::pair<Frame, int>, Bounds3> boxes_of(const Scene& scene) {
+  std::map<std::pair<Frame, int>, Bounds3> boxes;
+  for (const PlacedShape& shape : scene.shapes) {
+    if (!shape.moves) continue;
+    Bounds3 box;
+    for (int i = 0; i < shape.shape->primitive_count(); ++i) box.add(shape.bounds(i));
+    shape.frames.for_each([&](Frame f) { boxes[{f, shape.object}].add(box); });
+  }
+  return boxes;
+}
+
+/// Returns how many of its own widths anything passes from one scene to the other. The width is the middle one of the three
+/// sides of its box: that of a rod is its thickness, that of a plate not.
+double widths_passed(const Scene& first, const Scene& last) {
+  const auto begin = boxes_of(first), end = boxes_of(last);
+  double most = 0;
+  for (const auto& [which, box] : begin) {
+    const auto found = end.find(which);
+    if (found == end.end()) continue;
+    const Vec3 size = box.high - box.low, way = found->second.center() - box.center();
+    const float width = std::max(std::min(size.x, size.y), std::min(std::max(size.x, size.y), size.z));
+    if (width > 0) most = std::max(most, static_cast<double>(length(way) / width));
+  }
+  return most;
+}
+
+/// Returns how far the picture's middle turns, in pixels there.
+double pixels_turned(const Scene& first, const Scene& last, const RenderSettings& render) {
+  const Vec2 middle{static_cast<float>(render.width) / 2, static_cast<float>(render.height) / 2}, lens{0.5f, 0.5f};
+  double most = 0;
+  for (const auto& begin : first.camera.states)
+    for (const auto& end : last.camera.states) {
+      if ((begin.frames & end.frames).empty()) continue;
+      const Vec3 from = begin.object->ray(middle, lens).direction, to = end.object->ray(middle, lens).direction;
+      const float pixel = begin.object->pixel_spacing(1) - begin.object->pixel_spacing(0);
+      if (pixel > 0) most = std::max(most, static_cast<double>(length(to - from) / pixel));
+    }
+  return most;
+}
+
+}  // namespace
 
 double delay_of(int iteration, const Shutter& shutter, const RenderSettings& render) {
   const auto number = static_cast<std::uint64_t>(iteration);
@@ -17,23 +70,48 @@ double delay_of(int iteration, const Shutter& shutter, const RenderSettings& ren
   return shutter.open + (shutter.close - shutter.open) * static_cast<double>(u);
 }
 
-std::vector<std::string> explain_shutter(const Job& job) {
+std::vector<std::string> explain_shutter(const Job& job, const World& world) {
   if (!job.shutter.delays()) return {};
   std::vector<std::string> moves = what_moves(*job.description);
   if (moves.empty()) moves.emplace_back("meshes with velocities");
+  const int moments = moments_of_an_iteration(job, world);
+  const std::string times =
+      moments == 1 ? "one time of it"
+                   : fmt::format("{} times of it, each to a part of the pixels, as something is fast", moments);
   return {fmt::format(
       "shutter: open from {} to {} frames after each frame's moment; meanwhile {} may change. Each iteration "
-      "shows one time of it, the same in all frames.",
-      job.shutter.open, job.shutter.close, fmt::join(moves, ", "))};
+      "shows {}, the same in all frames.",
+      job.shutter.open, job.shutter.close, fmt::join(moves, ", "), times)};
+}
+
+int moments_of_an_iteration(const Job& job, const World& world) {
+  constexpr int kMost = 4;
+  constexpr double kWidths = 16, kPixels = 128;  // that one moment is enough for
+  if (!job.shutter.delays() || !job.plugin->sees_moments) return 1;
+  const std::vector<FileFrame> frames = world.sample_frames();
+  const std::unique_ptr<const World> opening = world.after(job.shutter.open), closing = world.after(job.shutter.close);
+  const std::unique_ptr<const Scene> first = opening->scene(frames), last = closing->scene(frames);
+  const double needed =
+      std::max(widths_passed(*first, *last) / kWidths, pixels_turned(*first, *last, job.settings) / kPixels);
+  return static_cast<int>(std::clamp(std::ceil(needed), 1., double{kMost}));
 }
 
 Iteration Exposure::iteration(int number) {
   if (!job_.shutter.delays()) return {number, scene_};
-  const double delay = delay_of(number, job_.shutter, job_.settings);
-  later_scene_.reset();
-  later_world_ = world_.after(delay);
-  later_scene_ = later_world_->scene(scene_.file_frames, &scene_);
-  return {number, *later_scene_, delay};
+  if (!count_) count_ = moments_of_an_iteration(job_, world_);
+  const double delay = delay_of(number, job_.shutter, job_.settings), length = job_.shutter.close - job_.shutter.open;
+  later_.clear(), moments_.clear();
+  for (int moment = 0; moment < *count_; ++moment) {
+    // Each pixel's times are as even as those of one moment: they are the same, turned around the shutter.
+    const double share = (delay - job_.shutter.open) / length + kGoldenRatio * moment;
+    Later& later = later_.emplace_back();
+    later.world = world_.after(moment == 0 ? delay : job_.shutter.open + length * (share - std::floor(share)));
+    later.scene = later.world->scene(scene_.file_frames, &scene_);
+    moments_.push_back(later.scene.get());
+  }
+  const bool several = moments_.size() > 1;
+  return {number, *moments_.front(), delay,
+          several ? std::span<const Scene* const>(moments_) : std::span<const Scene* const>()};
 }
 
 }  // namespace dspm

@@ -1,8 +1,10 @@
 // When the iterations of frames are exposed, and the scene that each of them sees. All paths and photons of an iteration
-// see one time of the shutter, so photons and hit points meet there, and frames stay shared. [Cammarano and Jensen 2002]
+// see one time of the shutter, so photons and hit points meet there, and frames stay shared. [Cammarano and Jensen 2002] If
+// things move fast, it is a few times, each of which some of the pixels see.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +19,13 @@ namespace dspm {
 /// number of iterations, in the blocks in which camera paths do.
 double delay_of(int iteration, const Shutter& shutter, const RenderSettings& render);
 
+/// Returns how many moments of the shutter an iteration shows: several if something passes more than sixteen times its own width
+/// while the shutter is open, or the camera turns that fast, and the integrator can show them. It depends on the file and the
+/// picture's size alone.
+int moments_of_an_iteration(const Job& job, const World& world);
+
 /// Says for --explain what blurs; nothing if nothing does.
-std::vector<std::string> explain_shutter(const Job& job);
+std::vector<std::string> explain_shutter(const Job& job, const World& world);
 
 class Exposure {
  public:
@@ -34,8 +41,13 @@ class Exposure {
   const Job& job_;
   const World& world_;
   const Scene& scene_;
-  std::unique_ptr<const World> later_world_;  // of the latest iteration
-  std::unique_ptr<const Scene> later_scene_;
+  struct Later {
+    std::unique_ptr<const World> world;
+    std::unique_ptr<const Scene> scene;
+  };
+  std::optional<int> count_;  // of moments
+  std::vector<Later> later_;  // of the latest iteration
+  std::vector<const Scene*> moments_;
 };
 
 }  // namespace dspm

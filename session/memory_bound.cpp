@@ -14,6 +14,7 @@
 #include "dspm/base/system/readable.h"
 #include "dspm/integrators/guiding/file_sample.h"
 #include "dspm/integrators/photons/memory_needs.h"
+#include "dspm/session/exposure.h"
 #include "dspm/session/revertible.h"
 #include "dspm/session/stage.h"
 #include "dspm/world/scene/scene.h"
@@ -86,11 +87,17 @@ class MemoryBound::Trials {
 
   Trials(const MemoryBound& bound, const Job& job, const World& world, const Besides& besides,
          const SessionObserver& observer)
-      : bound_(bound), job_(job), world_(world), besides_(besides), observer_(observer) {}
+      : bound_(bound),
+        job_(job),
+        world_(world),
+        besides_(besides),
+        observer_(observer),
+        moments_(moments_of_an_iteration(job, world)) {}
 
   std::optional<Result> of(const FrameList& frames) {
     if (observer_.end_wanted()) throw std::runtime_error("interrupted before the first iteration");
-    const std::size_t scenes = job_.shutter.delays() ? 2 : 1;  // that of an iteration, beside the stage's own
+    // Those of an iteration, beside the stage's own.
+    const std::size_t scenes = job_.shutter.delays() ? 1 + static_cast<std::size_t>(moments_) : 1;
     const std::size_t before = bound_.held(), trees = scenes * world_.tree_bytes_at_most(frames);
     if (before + trees > bound_.bytes_) {
       shortage_ = fmt::format("{}: scene and program {}, trees up to {}, and more", readable_bytes(before + trees),
@@ -156,6 +163,7 @@ class MemoryBound::Trials {
   const World& world_;
   const Besides& besides_;
   const SessionObserver& observer_;
+  int moments_;  // of an iteration
   std::string shortage_;
 };
 

@@ -32,7 +32,9 @@ class ShadowCatcher final : public WrappingIntegrator {
   void iterate(const Iteration& iteration) override {
     inner_->iterate(iteration);
     const StepTimer timer(step_);
-    without_->iterate({iteration.number, *iteration.scene.without_objects, iteration.delay});
+    std::vector<const Scene*> moments;
+    for (const Scene* scene : iteration.moments) moments.push_back(scene->without_objects.get());
+    without_->iterate({iteration.number, *iteration.scene.without_objects, iteration.delay, moments});
   }
 
   std::vector<OutputInfo> outputs() const override {

@@ -103,10 +103,13 @@ class SurfaceOutputs final : public WrappingIntegrator {
     inner_->iterate(iteration);
     ++iterations_;
     const StepTimer timer(step_);
-    parallel_for(tile_count(render_.crop, kTileSide), 1, [&](std::int64_t t) {
-      ClearSight sight(iteration.scene);
-      for_each_pixel_of_tile(render_.crop, kTileSide, static_cast<int>(t),
-                             [&](int x, int y) { look(iteration, sight, x, y); });
+    iteration.for_each_moment([&](const Scene& scene, const MomentPixels& pixels) {
+      parallel_for(tile_count(render_.crop, kTileSide), 1, [&](std::int64_t t) {
+        ClearSight sight(scene);
+        for_each_pixel_of_tile(render_.crop, kTileSide, static_cast<int>(t), [&](int x, int y) {
+          if (pixels.contain(x, y)) look(scene, static_cast<std::uint64_t>(iteration.number), sight, x, y);
+        });
+      });
     });
   }
 
@@ -151,8 +154,7 @@ class SurfaceOutputs final : public WrappingIntegrator {
   }
 
   /// Follows one camera ray in all frames.
-  void look(const Iteration& iteration, ClearSight& sight, int x, int y) {
-    const Scene& scene = iteration.scene;
+  void look(const Scene& scene, std::uint64_t iteration, ClearSight& sight, int x, int y) {
     const auto meet = [&](const CameraPath& path) {
       for (const FrameHit& part : scene.accel->partition(path.ray, path.frames)) {
         if (part.hit.missed()) {
@@ -170,8 +172,7 @@ class SurfaceOutputs final : public WrappingIntegrator {
           });
       }
     };
-    start_camera_paths(scene, render_, x, y, static_cast<std::uint64_t>(iteration.number), meet,
-                       [](const CameraPath&) {});
+    start_camera_paths(scene, render_, x, y, iteration, meet, [](const CameraPath&) {});
   }
 
   /// Adds the share of the light from beyond that media take.

@@ -21,10 +21,12 @@ void GroupSums::see(std::span<const HitPointTile> tiles) {
   if (sums_.empty()) return;
   parallel_for(static_cast<std::int64_t>(tiles.size()), 1, [&](std::int64_t t) {
     for (const SeenLight& light : tiles[static_cast<std::size_t>(t)].seen) {
-      const int group = groups_.of_light(light.light);
-      if (group == LightGroups::kNone || light.caught) continue;
-      light.frames.for_each(
-          [&](Frame f) { sums_.at(row(group, light.pixel), f) += light.radiance * static_cast<float>(of_.photons); });
+      if (light.caught) continue;
+      for (const int group : {groups_.of_light(light.light), light.of_media ? groups_.of_media() : LightGroups::kNone})
+        if (group != LightGroups::kNone)
+          light.frames.for_each([&](Frame f) {
+            sums_.at(row(group, light.pixel), f) += light.radiance * static_cast<float>(of_.photons);
+          });
     }
   });
 }
@@ -41,13 +43,10 @@ void GroupSums::gather(const PhotonBatch& batch, BatchCounts& counts) {
           [&](auto&& fn) { gather_hidden_by_group(hit, tile, batch.hidden, radius2, not_counted, fn); });
     }
     for (const CameraBeam& beam : tile.beams)
-      for (int group = 0; group < groups_.count() && !beam.caught; ++group)
-        gather_beam(
-            beam, tile, batch.in_media, of_.radius->of(1), not_counted,
-            [&](int light) { return groups_.of_light(light) == group; },
-            [&](FrameSet frames, const Rgb& radiance) {
-              frames.for_each([&](Frame f) { sums_.at(row(group, beam.pixel), f) += radiance; });
-            });
+      gather_beam_by_group(beam, tile, batch.in_media, of_.radius->of(1), groups_,
+                           [&](FrameSet frames, const Rgb& radiance, int group) {
+                             frames.for_each([&](Frame f) { sums_.at(row(group, beam.pixel), f) += radiance; });
+                           });
     for (const HitPoint& hit : tile.hit_points) {
       if (hit.caught) continue;
       const float widest2 = whole_.search_radius2(hit);

@@ -50,10 +50,9 @@ class Path final : public TileTraced {
   }
 
   void trace(const Iteration& iteration, SeenLightSums& sums, Statistics& statistics) const override {
-    const Scene& scene = iteration.scene;
     Sums out{sums};
-    trace_pixels(iteration, statistics, [&] { return PathTracer(scene, render(), limits_, out); });
-    count_cut_light(scene, render(), limits_, static_cast<std::uint64_t>(iteration.number), statistics);
+    trace_pixels(iteration, statistics, [&](const Scene& scene) { return PathTracer(scene, render(), limits_, out); });
+    count_cut_light(iteration.scene, render(), limits_, static_cast<std::uint64_t>(iteration.number), statistics);
   }
 
   PathLimits limits_;

@@ -68,6 +68,7 @@ class PathTracer {
     if (arriving.bounces >= limits_.max_depth || arriving.indirect) return;
     for (const MediumVertex::State& state : vertex.states) {
       CameraPath path = arriving;
+      path.of_media |= path.bounces == 0;
       path.frames = state.frames & arriving.frames;
       if (path.frames.empty()) continue;
       add_direct_light(path, vertex, state);
@@ -76,7 +77,9 @@ class PathTracer {
     }
   }
 
-  void glowed(const CameraPath& path, FrameSet frames, const Rgb& radiance) {
+  void glowed(const CameraPath& passing, FrameSet frames, const Rgb& radiance) {
+    CameraPath path = passing;
+    path.of_media |= path.bounces == 0;
     add(path, path.bounces, frames, path.throughput * radiance,
         [&] { return glow_element(scene_, path.inside.medium); });
   }
@@ -168,7 +171,7 @@ class PathTracer {
   template <class WhoGave>
   void add(const CameraPath& path, int scatterings, FrameSet frames, const Rgb& radiance, WhoGave&& giver) {
     if (is_light(radiance))
-      return out_.add({frames, radiance, path.pixel, light_of(giver()), path.caught}, scatterings);
+      return out_.add({frames, radiance, path.pixel, light_of(giver()), path.caught, path.of_media}, scatterings);
     reject(path, frames, giver());
   }
   void reject(const CameraPath& path, FrameSet frames, const SceneElement& giver) {

@@ -17,7 +17,9 @@
 #include "dspm/integrators/integrator.h"
 #include "dspm/integrators/max_depth.h"
 #include "dspm/integrators/photons/final_gather.h"
+#include "dspm/integrators/photons/gather_beams.h"
 #include "dspm/integrators/photons/hidden_light.h"
+#include "dspm/integrators/photons/medium_photons.h"
 #include "dspm/integrators/photons/memory_needs.h"
 #include "dspm/integrators/summing_integrator.h"
 #include "dspm/integrators/tiles.h"
@@ -40,15 +42,22 @@ struct PhotonMapSettings {
 constexpr float kRadiusShareOfScene = 0.05f, kCausticRadiusShareOfScene = 0.0125f;
 
 HitPointSettings hit_point_settings(const PhotonMapSettings& s) {
-  return {
-      .max_depth = s.max_depth, .least_alpha = s.least_alpha, .sample_direct = true, .keep_bsdf = s.final_gather > 0};
+  return {.max_depth = s.max_depth,
+          .least_alpha = s.least_alpha,
+          .sample_direct = true,
+          .light_media = true,
+          .keep_bsdf = s.final_gather > 0};
 }
 
 /// A final gather ray needs all incident light; without it, direct light and caustics are estimated separately.
 PhotonSettings global_settings(const PhotonMapSettings& s, const RenderSettings& render) {
-  return {render.seed,    render.independent_numbers,
-          Stream::photon, s.max_depth,
-          s.least_alpha,  s.final_gather > 0 ? kAllPhotons : kDiffusePhotons};
+  return {.seed = render.seed,
+          .independent_numbers = render.independent_numbers,
+          .stream = Stream::photon,
+          .max_depth = s.max_depth,
+          .least_alpha = s.least_alpha,
+          .kinds = s.final_gather > 0 ? kAllPhotons : kDiffusePhotons,
+          .rays_light_media = true};
 }
 PhotonSettings caustic_settings(const PhotonMapSettings& s, const RenderSettings& render) {
   return {render.seed, render.independent_numbers, Stream::caustic_photon, s.max_depth, s.least_alpha, kCausticPhotons,
@@ -172,7 +181,10 @@ class PhotonMapper final : public SummingIntegrator {
     const auto build = [&](auto& map, const std::vector<PhotonTrace>& traces, const RadianceEstimate& how) {
       map.build(traces, scene.frame_count(), how.radius / 4);
     };
-    build(global_, trace(global_photons(scene, settings_, render_, statistics), settings_.photons), global_how_);
+    global_traces_ = trace(global_photons(scene, settings_, render_, statistics), settings_.photons);
+    build(global_, global_traces_, global_how_);
+    in_media_.build(global_traces_);
+    for (PhotonTrace& t : global_traces_) t.photons = {};  // the map has copies of these
     caustic_traces_ = trace(caustic_photons(scene, settings_, render_, statistics), settings_.caustic_photons);
     build(caustic_, caustic_traces_, caustic_how_);
     build(hidden_, caustic_traces_, caustic_how_);
@@ -181,7 +193,9 @@ class PhotonMapper final : public SummingIntegrator {
 
   void trace_camera_paths(const Scene& scene, std::uint64_t iteration, Statistics& statistics) {
     const StepTimer timer(statistics.steps[kHitPoints]);
-    tiles_ = trace_hit_points(scene, render_, hit_point_settings(settings_), iteration, std::move(tiles_));
+    HitPointSettings settings = hit_point_settings(settings_);
+    settings.radius = caustic_how_.radius;  // of beams
+    tiles_ = trace_hit_points(scene, render_, settings, iteration, std::move(tiles_));
     account(tiles_, statistics);
   }
 
@@ -201,6 +215,7 @@ class PhotonMapper final : public SummingIntegrator {
     FinalGather final_gather(scene, render_, {settings_.final_gather, settings_.least_alpha, settings_.max_depth},
                              global_, global_how_, counts.gather, counts.paths, add);
     for (const SeenLight& light : tile.seen) sums.add(light);
+    for (const CameraBeam& beam : tile.beams) see_along(beam, tile, sums, counts.gather);
     for (const HitPoint& hit : tile.glossy) {
       if (tile.strip_of(hit) == nullptr)
         estimate(hit, hidden_.on_surfaces, caustic_how_);
@@ -214,6 +229,19 @@ class PhotonMapper final : public SummingIntegrator {
       else
         final_gather.gather(hit, *tile.scattering_of(hit), iteration);
     }
+  }
+
+  /// Adds what media scatter along a beam, and its parts by groups of lights.
+  void see_along(const CameraBeam& beam, const HitPointTile& tile, SeenLightSums& sums, GatherCounts& counts) const {
+    const auto light_of = [&](FrameSet frames, const Rgb& radiance) {
+      return SeenLight{frames, radiance / static_cast<float>(settings_.photons), beam.pixel, -1, beam.caught};
+    };
+    gather_beam(
+        beam, tile, in_media_, 1, counts, [](int) { return true; },
+        [&](FrameSet frames, const Rgb& radiance) { sums.add(light_of(frames, radiance)); });
+    gather_beam_by_group(beam, tile, in_media_, 1, sums.groups(), [&](FrameSet frames, const Rgb& radiance, int group) {
+      sums.add_to_part(light_of(frames, radiance), group);
+    });
   }
 
   /// Adds the photons within the largest radius: the nearest photons on a strip need not surround the point.
@@ -241,14 +269,16 @@ class PhotonMapper final : public SummingIntegrator {
     for (const TileCounts& c : counts) statistics.camera.segments += c.paths.segments, gathers.push_back(c.gather);
     account(gathers, statistics);
     statistics.bytes = std::max(statistics.bytes, global_.bytes() + caustic_.bytes() + hidden_.bytes() +
+                                                      in_media_.bytes() + bytes_of(global_traces_) +
                                                       bytes_of(caustic_traces_) + done_.bytes() + bytes_of(tiles_));
   }
 
   PhotonMapSettings settings_;
   RenderSettings render_;
   PhotonMap global_, caustic_;
-  std::vector<PhotonTrace> caustic_traces_;
-  HiddenPhotons hidden_;  // on glossy lobes; those on curves lie in the traces
+  std::vector<PhotonTrace> global_traces_, caustic_traces_;
+  MediumPhotons in_media_;  // they lie in the traces
+  HiddenPhotons hidden_;    // on glossy lobes; those on curves lie in the traces
   bool has_maps_ = false;
   RadianceEstimate global_how_, caustic_how_;
   std::vector<HitPointTile> tiles_;
@@ -288,6 +318,8 @@ std::unique_ptr<Integrator> make_photonmap(ParamReader& params, const Scene& sce
   demand(s.caustic_radius >= 0, "causticradius", "the radius must not be negative");
   demand(s.final_gather >= 0, "finalgather", "the number of rays must not be negative");
   demand(s.least_alpha > 0, "gatheralpha", "gatheralpha must be positive: nothing gathers on a mirror");
+  if (s.final_gather > 0 && !scene.media.empty())
+    params.error("finalgather", "final gather rays see no media", "leave it out: the global map is then used directly");
   check_max_depth(params, s.max_depth, 1);
   params.finish();
   if (render.memory > 0) expect_enough(render.memory, needs_of(s, scene, render));

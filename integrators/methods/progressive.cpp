@@ -43,7 +43,7 @@ class Progressive final : public Integrator {
   void iterate(const Iteration& iteration) override {
     const Statistics before = statistics_;
     try {
-      iterate_once(iteration.number, iteration.scene);
+      iterate_once(iteration);
     } catch (...) {
       statistics_ = before;
       throw;
@@ -81,24 +81,36 @@ class Progressive final : public Integrator {
   }
 
  private:
-  // [WG12 4]
-  void iterate_once(int number, const Scene& scene) {
-    if (!ways_.are_known()) learn(scene);
-    go_to_radius_of(number);
-    const ProgressiveSettings& how = ways_.of_iteration(scene, radius_);
-    trace_camera_paths(scene, how.hit_point, number);
-    const float cell_size = mean_search_radius(scene);
-    for (std::int64_t first = 0; first == 0 || first < how.traced; first += batches_.size) {
-      trace_light_paths(scene, how, number, first);
-      build_photon_map(scene, cell_size);
-      if (first == 0) see_lights();  // not before: if memory ends, it mostly has by now, and no pixel has changed
-      gather_photons();
-    }
+  void iterate_once(const Iteration& iteration) {
+    if (!ways_.are_known()) learn(iteration.scene);
+    go_to_radius_of(iteration.number);
+    iteration.for_each_moment(
+        [&](const Scene& scene, const MomentPixels& pixels) { show_moment(scene, pixels, iteration.number); });
     for (const auto& sink : sinks_.list) sink->end_iteration();
     statistics_.typical = typical_.typical(tiles_);
-    ways_.count_iteration(scene, render_, number, statistics_);
+    ways_.count_iteration(iteration.scene, render_, iteration.number, statistics_);
     ++statistics_.iterations;
     go_to_radius_of(statistics_.iterations);
+  }
+
+  // [WG12 4] Photons and hit points meet in the same moment. Of several, each has its part of the photons.
+  void show_moment(const Scene& scene, const MomentPixels& pixels, int number) {
+    const ProgressiveSettings& how = ways_.of_iteration(scene, radius_);
+    HitPointSettings hit_point = how.hit_point;
+    hit_point.pixels = pixels;
+    trace_camera_paths(scene, hit_point, number);
+    const float cell_size = mean_search_radius(scene);
+    const std::int64_t begin = how.traced * pixels.moment / pixels.count,
+                       end = how.traced * (pixels.moment + 1) / pixels.count;
+    PhotonSettings photon = how.photon;
+    if (end > begin)
+      photon.flux *= static_cast<float>(static_cast<double>(how.traced) / static_cast<double>(end - begin));
+    for (std::int64_t first = begin; first == begin || first < end; first += batches_.size) {
+      trace_light_paths(scene, photon, number, first, std::min(first + batches_.size, end));
+      build_photon_map(scene, cell_size);
+      if (first == begin) see_lights();  // not before: if memory ends, it mostly has by now, and no pixel has changed
+      gather_photons();
+    }
   }
 
   void learn(const Scene& scene) {
@@ -124,10 +136,10 @@ class Progressive final : public Integrator {
   }
 
   // [WG12 4.2]
-  void trace_light_paths(const Scene& scene, const ProgressiveSettings& how, int iteration, std::int64_t first) {
+  void trace_light_paths(const Scene& scene, const PhotonSettings& settings, int iteration, std::int64_t first,
+                         std::int64_t end) {
     const StepTimer timer(statistics_.steps[kPhotons]);
-    traces_ = trace_photons(scene, how.photon, static_cast<std::uint64_t>(iteration), first,
-                            std::min(first + batches_.size, how.traced), std::move(traces_));
+    traces_ = trace_photons(scene, settings, static_cast<std::uint64_t>(iteration), first, end, std::move(traces_));
     account(traces_, statistics_);
   }
 

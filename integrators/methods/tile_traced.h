@@ -30,10 +30,13 @@ class TileTraced : public SummingIntegrator {
   /// Traces all tiles and adds to `sums` and `statistics`.
   virtual void trace(const Iteration& iteration, SeenLightSums& sums, Statistics& statistics) const = 0;
 
-  /// Follows a camera path through each pixel with a tracer of make_tracer() for each tile; see trace_tiles().
+  /// Follows a camera path through each pixel with a tracer of make_tracer(const Scene&) for each tile; see trace_tiles().
   template <class MakeTracer>
   void trace_pixels(const Iteration& iteration, Statistics& statistics, MakeTracer&& make_tracer) const {
-    trace_tiles(render_.crop, static_cast<std::uint64_t>(iteration.number), statistics, make_tracer);
+    iteration.for_each_moment([&](const Scene& scene, const MomentPixels& pixels) {
+      trace_tiles(render_.crop, pixels, static_cast<std::uint64_t>(iteration.number), statistics,
+                  [&] { return make_tracer(scene); });
+    });
   }
 
   const RenderSettings& render() const { return render_; }

@@ -5,6 +5,7 @@
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
+#include "dspm/integrators/light_groups.h"
 #include "dspm/integrators/photons/gather.h"
 #include "dspm/integrators/photons/hit_point_tile.h"
 #include "dspm/integrators/photons/medium_photons.h"
@@ -46,6 +47,19 @@ void gather_beam(const CameraBeam& beam, const HitPointTile& tile, const MediumP
       fn(FrameSet::single(f), (shared + own[static_cast<std::size_t>(f)]) * factor);
     });
   });
+}
+
+/// Calls fn(FrameSet, radiance, group) with what each group of lights brings of that, and what of it is `of_media`.
+template <class Fn>
+void gather_beam_by_group(const CameraBeam& beam, const HitPointTile& tile, const MediumPhotons& photons, float scale,
+                          const LightGroups& groups, Fn&& fn) {
+  GatherCounts not_counted;
+  for (int group = 0; group < groups.count() && !beam.caught; ++group) {
+    const bool all = beam.of_media && group == groups.of_media();
+    gather_beam(
+        beam, tile, photons, scale, not_counted, [&](int light) { return all || groups.of_light(light) == group; },
+        [&](FrameSet frames, const Rgb& radiance) { fn(frames, radiance, group); });
+  }
 }
 
 }  // namespace dspm

@@ -31,7 +31,7 @@ class HitPointWriter {
     for_each_strand(tile_.strands.of(path.strands), frames, [&](FrameSet alike, const Rgb& weight) {
       const Rgb seen = path.throughput * weight * radiance;
       if (!is_light(seen)) return reject(path, alike, giver());
-      tile_.seen.push_back({alike, seen, path.pixel, light_of(giver()), path.caught});
+      tile_.seen.push_back({alike, seen, path.pixel, light_of(giver()), path.caught, path.of_media});
     });
   }
 
@@ -96,7 +96,7 @@ class HitPointWriter {
     CameraBeam& beam = tile_.beams.emplace_back();
     beam.ray = path.ray, beam.begin = section.begin, beam.end = section.end;
     beam.throughput = path.throughput, beam.frames = path.frames, beam.strands = path.strands;
-    beam.pixel = path.pixel, beam.caught = path.caught, beam.medium = path.inside.medium;
+    beam.pixel = path.pixel, beam.caught = path.caught, beam.of_media = path.of_media, beam.medium = path.inside.medium;
     beam.radius = settings_.radius, beam.least = beam.most = settings_.radius;
     if (!(settings_.radius > 0)) {
       beam.radius = near, beam.spread = pixels(length + 1) - near;

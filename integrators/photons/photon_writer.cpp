@@ -7,7 +7,9 @@
 namespace dspm {
 
 bool PhotonWriter::is_wanted(const PhotonPath& path, const PhotonOrigin& from) const {
-  if (from.light.glow.medium != kNoMedium && path.kind == kDirectPhotons) return true;
+  // No ray looks for what media give off; of two maps, that of caustics has it.
+  if (from.light.glow.medium != kNoMedium && path.kind == kDirectPhotons)
+    return (settings_.kinds & kCausticPhotons) != 0;
   if (path.kind == kDirectPhotons && settings_.rays_tell && is_told_by_a_ray(scene_, from.light)) return false;
   return (path.kind & settings_.kinds) != 0;
 }

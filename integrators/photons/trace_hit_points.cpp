@@ -105,8 +105,11 @@ class HitPointTracer {
   void lost(const CameraPath& path, FrameSet frames, const SceneElement& giver) { out_.reject(path, frames, giver); }
 
   /// A path that has left a hit point looks for lights alone.
-  void beamed(const CameraPath& path, const MediumSection& section) {
-    if (!path.indirect) out_.add_beam(path, section), light_.add(path, section);
+  void beamed(const CameraPath& passing, const MediumSection& section) {
+    if (passing.indirect) return;
+    CameraPath path = passing;
+    path.of_media = path.bounces == 0;
+    out_.add_beam(path, section), light_.add(path, section);
   }
 
   void arrived(const CameraPath& path, const Vertex& vertex) {
@@ -295,7 +298,7 @@ std::vector<HitPointTile> trace_hit_points(const Scene& scene, const RenderSetti
     tile.clear();
     HitPointTracer tracer(scene, render, settings, tile);
     for_each_pixel_of_tile(render.crop, side, static_cast<int>(t), [&](int x, int y) {
-      if (x % stride == 0 && y % stride == 0) tracer.trace(x, y, iteration);
+      if (x % stride == 0 && y % stride == 0 && settings.pixels.contain(x, y)) tracer.trace(x, y, iteration);
     });
     tracer.finish();
   });

@@ -6,6 +6,7 @@
 
 #include "dspm/base/math/frames.h"
 #include "dspm/integrators/integrator.h"
+#include "dspm/integrators/moment_pixels.h"
 #include "dspm/integrators/photons/hit_point_tile.h"
 #include "dspm/world/scene/scene.h"
 
@@ -28,6 +29,7 @@ struct HitPointSettings {
   /// Camera paths go on from hit points to others and find what rough surfaces scatter; photons need not.
   bool go_on = false;
   FrameSet frames = FrameSet::first(kMaxFrames);  // in which camera paths are traced
+  MomentPixels pixels = {};                       // from which they are traced
 };
 
 std::size_t hit_point_tile_count(const PixelRect& crop);

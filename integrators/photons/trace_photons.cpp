@@ -123,6 +123,8 @@ class PhotonTracer {
   void collided(const PhotonPath& path, const MediumVertex& vertex) {
     if (path.bounces == 0 && vertex.distance < started(path).must_reach)
       return balance(path, path.frames, &EnergyBalance::absorbed);
+    // What media scatter is diffuse.
+    if ((settings_.kinds & kDiffusePhotons) == 0) return balance(path, path.frames, &EnergyBalance::terminated);
     writer_.store_in_medium(path, started(path), vertex);
     if (is_too_deep(path, path.frames)) return;
     for_each_phase(vertex, settings_.share_paths,

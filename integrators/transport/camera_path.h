@@ -33,6 +33,7 @@ struct CameraPath : PathState {
   bool indirect = false;  // it has left a hit point: lights that it meets count only while it looks for them
   bool looks = false;     // along its next segment
   bool caught = false;    // its first surface is a shadow catcher
+  bool of_media = false;  // a medium before the first surface has scattered it
 
   /// Call this at each vertex.
   void arrive(const Scene& scene, const Vertex& vertex) {

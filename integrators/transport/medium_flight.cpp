@@ -62,9 +62,7 @@ bool MediumFlight::meet(float distance) {
     if (!each.weigh(density)) {
       each.frames = {};
     } else if (collides) {
-      Rgb albedo;
-      for (int c = 0; c < 3; ++c) albedo[c] = sigma_t[c] > 0 ? here.sigma_s[c] / sigma_t[c] : 0;
-      colliding_.add({each, albedo, here.g});
+      colliding_.add({each, here.albedo(), here.g});
       each.frames = {};
     }
   }

@@ -44,6 +44,7 @@ class MediumFlight {
   /// then the frames in which it was none in name only, which fly no more, and glowing() is what the medium has added.
   bool meet(float distance);
   float distance() const { return collisions_.distance(); }
+  const Rgb& majorant() const { return collisions_.majorant(); }  // there
   std::span<const Colliding> colliding() const { return colliding_; }
   /// The radiance, or the flux, that the medium has added for each unit of the path's throughput.
   std::span<const FrameFactor> glowing() const { return glowing_; }

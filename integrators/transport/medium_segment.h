@@ -87,7 +87,12 @@ class MediumSegment {
     FrameSet done;
     for (const auto& first : flight.colliding()) {
       if (!(first.flown.frames & done).empty()) continue;
-      MediumVertex vertex{path_.ray.at(flight.distance()), -path_.ray.direction, distance, path_.inside.medium, {}};
+      MediumVertex vertex{.point = path_.ray.at(flight.distance()),
+                          .wo = -path_.ray.direction,
+                          .distance = distance,
+                          .medium = path_.inside.medium,
+                          .states = {},
+                          .majorant = flight.majorant()};
       for (const auto& each : flight.colliding())
         if (each.flown.weight == first.flown.weight && each.flown.share == first.flown.share)
           vertex.states.add({each.flown.frames, each.albedo, HenyeyGreenstein(each.g)});

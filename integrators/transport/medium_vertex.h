@@ -39,6 +39,7 @@ struct MediumVertex {
   float distance;  // of the path's segment
   int medium;      // into Scene::media
   FrameArray<State> states;
+  Rgb majorant = {};  // the same in all of these frames
 
   FrameSet frames() const {
     FrameSet all;

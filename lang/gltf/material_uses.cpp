@@ -47,6 +47,11 @@ std::string MaterialUses::name_of(const Value& primitive) {
   return name;
 }
 
+std::string MaterialUses::medium_of(const Value& primitive) const {
+  const auto own = media_.find(key_of(primitive).material);
+  return own == media_.end() ? std::string() : own->second;
+}
+
 std::string MaterialUses::define(std::optional<std::size_t> material, const MeshLook& look) {
   std::string& known = defined_[{material, look}];
   if (!known.empty()) return known;
@@ -71,6 +76,11 @@ std::string MaterialUses::define(std::optional<std::size_t> material, const Mesh
     for (const MaterialStatements& moment : moments)
       texture.push_back(moment.textures[std::min(i, moment.textures.size() - 1)]);
     definitions_ += text_of(keyed(texture)) + "\n";
+  }
+  if (std::optional<Statement> medium = moments.front().medium; medium && !media_.contains(material)) {
+    medium->head = fmt::format("MakeNamedMedium {} \"string type\" {}", in_quotes(name), medium->head);
+    definitions_ += text_of(*medium) + "\n";
+    media_[material] = name;
   }
   std::vector<Statement> statements;
   for (const MaterialStatements& moment : moments) statements.push_back(moment.material);

@@ -26,6 +26,9 @@ class MaterialUses {
   /// Returns the name of the primitive's material, which is defined when it is first asked for.
   std::string name_of(const Value& primitive);
 
+  /// Returns the name of the medium that fills the primitive, whose name_of() has been asked for; empty if there is none.
+  std::string medium_of(const Value& primitive) const;
+
   const std::string& definitions() const { return definitions_; }
   /// Returns an axis with the file's variants; empty if there are none that change anything.
   std::string axis();
@@ -54,6 +57,7 @@ class MaterialUses {
   std::map<Key, std::string> uses_;
   std::vector<std::pair<Key, std::string>> replaceable_;
   std::map<std::pair<std::optional<std::size_t>, MeshLook>, std::string> defined_;
+  std::map<std::optional<std::size_t>, std::string> media_;  // by material
   std::string definitions_;
 };
 

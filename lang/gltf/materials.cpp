@@ -1,5 +1,5 @@
 // [glTF 2.0, 3.9 and appendix B; KHR_materials_anisotropy, _clearcoat, _diffuse_transmission, _emissive_strength, _ior,
-// _iridescence, _sheen, _specular, _transmission, _unlit, _volume; KHR_texture_transform; EXT_texture_webp]
+// _iridescence, _sheen, _specular, _transmission, _unlit, _volume, _volume_scatter; KHR_texture_transform; EXT_texture_webp]
 #include "dspm/lang/gltf/materials.h"
 
 #include <algorithm>
@@ -193,14 +193,42 @@ class MaterialTranslator {
       colour("diffusetransmissioncolor", beyond["diffuseTransmissionColorFactor"].numbers(Triple{1, 1, 1}),
              beyond["diffuseTransmissionColorTexture"]);
     }
+    const bool is_body = volume["thicknessFactor"].number(0) > 0;
+    const bool is_filled = is_body && (glass.exists() || beyond.exists()) && fill(volume);
     if (!glass.exists()) return;
     number("transmission", glass["transmissionFactor"].number(0), glass["transmissionTexture"], "red");
-    const bool is_body = volume["thicknessFactor"].number(0) > 0;
     if (!is_body) return material().flag("thin", true);
+    if (is_filled) return;
     const double distance = volume["attenuationDistance"].number(0);  // 0: not given, or as exporters write infinity
     if (!(distance > 0)) return;
     colour("attenuationcolor", volume["attenuationColor"].numbers(Triple{1, 1, 1}), Value(nullptr, ""));
     material().number("attenuationdistance", distance, INFINITY);
+  }
+
+  /// Fills the body with a medium if it scatters light inside, and returns whether it does. The file gives the colour that light
+  /// has after many scatterings, from which the share follows that is scattered each time. [KHR_materials_volume_scatter; van
+  /// de Hulst 1980, Multiple Light Scattering]
+  bool fill(const Value& volume) {
+    const Value scatter = material_.extension("KHR_materials_volume_scatter");
+    const double distance = volume["attenuationDistance"].number(0);
+    if (!scatter.exists() || !(distance > 0)) return false;
+    const Triple left = volume["attenuationColor"].numbers(Triple{1, 1, 1}),
+                 seen = scatter["multiscatterColor"].numbers(Triple{0, 0, 0});
+    const double g = std::clamp(scatter["scatterAnisotropy"].number(0), -0.99, 0.99);
+    constexpr double kDarkest = 1e-4;
+    Triple absorbed{}, scattered{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double all = -std::log(std::clamp(left[c], kDarkest, 1.0)) / distance,
+                   colour = std::clamp(seen[c], 0.0, 1.0);
+      // colour = (1 - s) (1 - 0.139 s) / (1 + 1.17 s), s^2 = (1 - albedo) / (1 - g albedo)
+      const double b = (1.139 + 1.17 * colour) / (2 * 0.139), s = b - std::sqrt(b * b - (1 - colour) / 0.139);
+      scattered[c] = all * (1 - s * s) / (1 - g * s * s), absorbed[c] = std::max(0.0, all - scattered[c]);
+    }
+    if (scattered == Triple{0, 0, 0}) return false;
+    result_.medium = Statement{"\"homogeneous\""};
+    result_.medium->rgb("sigma_a", absorbed), result_.medium->rgb("sigma_s", scattered);
+    result_.medium->number("g", g, 0);
+    return true;
   }
 
   /// Sets the specular colour. principled, too, bounds the product of the colour and what the index of refraction

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -27,7 +28,8 @@ struct MaterialForm {
 /// Statements that make one material: textures first, the material last. Names of textures begin with `name`.
 struct MaterialStatements {
   std::vector<Statement> textures;
-  Statement material;  // its head is `"principled"` alone
+  Statement material;               // its head is `"principled"` alone
+  std::optional<Statement> medium;  // inside of the material's bodies; its head is `"homogeneous"` alone
 };
 
 class Materials {

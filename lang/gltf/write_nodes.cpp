@@ -142,8 +142,14 @@ void SceneWriter::write_shapes(std::size_t node, bool changes, int depth, const 
   for (std::size_t i = 0; i < primitives.size(); ++i) {
     if (!has_surface(primitives[i])) continue;
     line(depth, fmt::format("NamedMaterial {}", in_quotes(uses_.name_of(primitives[i]))));
+    const std::string medium = uses_.medium_of(primitives[i]);
+    if (!medium.empty()) {
+      line(depth, "AttributeBegin");
+      line(depth, fmt::format("MediumInterface {} \"\"", in_quotes(medium)));
+    }
     line(depth, fmt::format("Shape \"plymesh\" \"string filename\" {}{}{}", in_quotes(mesh_file(node, i, changes)), own,
                             changes ? extent_of(node, primitives[i]) : ""));
+    if (!medium.empty()) line(depth, "AttributeEnd");
   }
 }
 

@@ -70,14 +70,12 @@ void refuse_media_unless_seen(const SceneDescription& description, const Integra
   const MediumInterfaceUse* const media = plugin.sees_media ? nullptr : first_with_media(description);
   if (media != nullptr)
     diagnostics.unsupported(media->where, fmt::format("integrator \"{}\" sees no media", plugin.name),
-                            "dsppm, sppm and path do; with --lenient, they are empty");
+                            "dsppm, sppm, photonmap, path and vcm do; with --lenient, they are empty");
 }
 
-/// Returns the plugin for the scene's own directive. If another one stands in, it sees media if there are any.
-const IntegratorPlugin* find_by_directive(const SceneDescription& description, const PluginUse& use,
-                                          Diagnostics& diagnostics) {
-  std::string_view by = stand_in_for(use.type);
-  if (by == "vcm" && first_with_media(description) != nullptr) by = "path";
+/// Returns the plugin for the scene's own directive, or the one that stands in for it.
+const IntegratorPlugin* find_by_directive(const PluginUse& use, Diagnostics& diagnostics) {
+  const std::string_view by = stand_in_for(use.type);
   const bool is_stood_in_for = !by.empty() && integrator_plugins().find(use.type) == nullptr;
   if (is_stood_in_for)
     diagnostics.note(use.where, fmt::format("integrator \"{}\" is rendered by \"{}\"{}", use.type, by,
@@ -140,7 +138,7 @@ IntegratorChoice choose_integrator(const SceneDescription& description, const Ch
   if (!choices.integrator.empty()) {
     choice.plugin = by_name(choices.integrator);
   } else if (use) {
-    choice.plugin = find_by_directive(description, *use, diagnostics);
+    choice.plugin = find_by_directive(*use, diagnostics);
     if (choice.plugin == nullptr && diagnostics.lenient()) choice.plugin = by_name("path");
   } else {
     choice.plugin = by_name(usual);

@@ -13,6 +13,7 @@
 #include "dspm/base/system/extension.h"
 #include "dspm/integrators/beside/surface_outputs.h"
 #include "dspm/integrators/beside/variance_output.h"
+#include "dspm/integrators/light_groups.h"
 #include "dspm/lights/light_group.h"
 
 namespace dspm {
@@ -37,7 +38,7 @@ std::string way_out(const std::string& name, const std::vector<std::string>& nam
 std::vector<std::string> names_for_aov(const std::vector<OutputInfo>& declared) {
   std::vector<std::string> names, groups;
   const auto add = [&](const OutputInfo& output) {
-    std::vector<std::string>& to = output.is_radiance ? groups : names;
+    std::vector<std::string>& to = output.is_radiance && output.name != kVolumeOutput ? groups : names;
     const std::string whole = output.name.substr(0, output.name.find('.'));
     const std::string name = parts_of_output(whole).empty() ? output.name : whole;
     if (std::find(to.begin(), to.end(), name) == to.end()) to.push_back(name);

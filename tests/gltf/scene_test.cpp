@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
+#include <cstring>
 
 #include "dspm/lang/gltf/translation.h"
 #include "dspm/lang/parse.h"
@@ -323,6 +326,37 @@ TEST(GltfScene, FactorsAreBoundedAfterTheProduct) {
   expect(glass + R"(,"attenuationDistance":2}})", {"\"rgb attenuationcolor\" [1 0.5 0]"});
   put_file(directory / "a.gltf", square_of(glass + R"(,"attenuationDistance":0}})"));
   EXPECT_EQ(gltf::translate(directory / "a.gltf", "a", {}).text.find("attenuation"), std::string::npos);
+}
+
+// sigma_t = -ln(attenuationColor) / attenuationDistance; a body of which 1 and 0.5 come back after many scatterings scatters 1 and
+// 0.9117 each time: s = 0.2972, (1 - s) (1 - 0.139 s) / (1 + 1.17 s) = 0.5, 1 - s^2 = 0.9117.
+TEST(GltfScene, FillsBodiesThatScatterLight) {
+  TemporaryDirectory directory;
+  put_file(directory / "wax.gltf",
+           square_of(R"("extensions":{"KHR_materials_transmission":{"transmissionFactor":1},"KHR_materials_volume":)"
+                     R"({"thicknessFactor":1,"attenuationColor":[0.5,0.5,1],"attenuationDistance":2},)"
+                     R"("KHR_materials_volume_scatter":{"multiscatterColor":[1,0.5,0.5],"scatterAnisotropy":0}})"));
+  const std::string text = gltf::translate(directory / "wax.gltf", "a", {}).text;
+  const auto numbers = [&](const char* of) {
+    std::array<float, 3> v{-1, -1, -1};
+    const std::size_t at = text.find(of);
+    EXPECT_NE(at, std::string::npos) << text;
+    EXPECT_EQ(std::sscanf(text.c_str() + at + std::strlen(of), " [%f %f %f]", &v[0], &v[1], &v[2]), 3) << text;
+    return v;
+  };
+  const std::array<float, 3> scattered = numbers("\"rgb sigma_s\""), absorbed = numbers("\"rgb sigma_a\"");
+  const float all = std::log(2.f) / 2;
+  const float expected[] = {all, 0.9117f * all, 0};
+  for (std::size_t c = 0; c < 3; ++c) {
+    EXPECT_NEAR(scattered[c], expected[c], 1e-4f);
+    EXPECT_NEAR(absorbed[c], (c == 2 ? 0 : all) - expected[c], 1e-4f);
+  }
+  EXPECT_EQ(text.find("attenuation"), std::string::npos) << text;
+  Messages messages(true);
+  const LoadedScene loaded({(directory / "wax.gltf").string()}, {}, messages);
+  const std::unique_ptr<Scene> scene = loaded.world->scene(loaded.job.frames);
+  ASSERT_EQ(scene->media.size(), 1u);
+  EXPECT_EQ(std::ranges::count_if(scene->interface_of, [](int interface) { return interface >= 0; }), 1);
 }
 
 // What the translation writes, the material takes.

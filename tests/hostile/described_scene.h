@@ -205,9 +205,10 @@ class DescribedScene {
   }
 
   static bool may_see_media(const DrawnDirective& integrator) {
-    const auto leaves_them_out = [](const std::string& param) { return param.find("\"paths\"") != param.npos; };
-    return (integrator.plugin == "integrator:path" || integrator.plugin == "integrator:dsppm" ||
-            integrator.plugin == "integrator:sppm") &&
+    const auto leaves_them_out = [](const std::string& param) {
+      return param.find("\"paths\"") != param.npos || param.find("finalgather") != param.npos;
+    };
+    return integrator.plugin != "integrator:ambientocclusion" &&
            std::none_of(integrator.params.begin(), integrator.params.end(), leaves_them_out);
   }
 

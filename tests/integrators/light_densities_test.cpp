@@ -54,7 +54,7 @@ TEST(LightDensities, AreTheSameFromBothEnds) {
   const RenderSettings& render = test.job().settings;
   const VcmSettings settings;
   for (const EmissionGuides* used : {static_cast<const EmissionGuides*>(nullptr), &guides}) {
-    const VcmPass pass{*scene, render, settings, 0, 0, {}, used};
+    const VcmPass pass{*scene, render, settings, 0, 0, 0, {}, used};
     int tried = 0, same = 0;
     for (std::uint64_t i = 0; i < 4000; ++i) {
       const PathRandom random(2, Stream::photon, i, 0);
@@ -84,8 +84,10 @@ TEST(LightDensities, AreTheSameFromBothEnds) {
       if (is_parallel(state, e->pdf)) lit.distance = kInfinity;
       if (!light.is_delta) lit.pdf_w = pdf_w_of(state, start, point.p);
       const float pdf_w = light.is_delta ? 0 : light_samples(*scene, light, receiver_at(point)) * lit.pdf_w;
-      const float of_shadow_ray = emission_over_next_event(pass, {light, state, lit, pdf_w}, point);
-      const SubpathWeights sums = weights_at_first_vertex(pass, light, state, *e, point, distance * distance, cosine);
+      const float of_shadow_ray = emission_over_next_event(pass, {light, state, lit, pdf_w}, receiver_at(point),
+                                                           std::abs(dot(lit.wi, point.ng)));
+      const SubpathWeights sums =
+          weights_at_first_vertex(pass, light, state, *e, receiver_at(point), distance * distance, cosine);
       EXPECT_NEAR(sums.vcm * of_shadow_ray, 1, 2e-3f) << "light " << chosen.light << ", " << (used != nullptr);
       const float at_light = light.is_delta ? 0 : state.is_infinite() ? 1 : std::abs(dot(e->normal, w));
       EXPECT_NEAR(sums.vc * emitted * cosine, at_light, 1e-3f);

@@ -89,8 +89,8 @@ class LightGroupsOf : public testing::TestWithParam<const char*> {
 
 // What a medium gives off, seen directly and brought by photons, is of the lights without a group.
 TEST(LightGroups, HaveTheLightOfMediaThatGlow) {
-  for (const char* integrator :
-       {R"("path")", R"("dsppm" "integer photons" 4000)", R"("sppm" "integer photons" 4000)"}) {
+  for (const char* integrator : {R"("path")", R"("dsppm" "integer photons" 4000)", R"("sppm" "integer photons" 4000)",
+                                 R"("vcm")", R"("photonmap" "integer photons" 20000 "integer causticphotons" 20000)"}) {
     TestScene test(fmt::format(R"(
 Integrator {}
 LookAt 0 1 -5  0 1 0  0 1 0

@@ -122,23 +122,27 @@ DynamicEnd
   }
 }
 
+std::vector<std::string> explained(const std::string& text) {
+  const TestScene test(text);
+  return explain_shutter(test.job(), test.world());
+}
+
 TEST(SharpBlocks, LeaveTheShutterClosedIfNothingElseMoves) {
   std::string text = flat(fmt::format(R"(DynamicBegin "sharp" "bool blur" false {} {} DynamicEnd)", kKeys, kUpper));
-  const std::vector<std::string> lines = explain_shutter(TestScene(text).job());
+  const std::vector<std::string> lines = explained(text);
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_NE(lines.front().find("meanwhile 1 shape may change"), std::string::npos) << lines.front();
   text.replace(text.find("\"crossing\""), 10, "\"crossing\" \"bool blur\" false");
   TestScene sharp(text);
-  EXPECT_EQ(explain_shutter(sharp.job()), std::vector<std::string>());
+  EXPECT_EQ(explained(text), std::vector<std::string>());
   EXPECT_FALSE(sharp.job().shutter.delays());
 }
 
 TEST(SharpBlocks, OfObjectsAreNotCountedAmongWhatMoves) {
   const auto line = [](const char* blur) {
-    return explain_shutter(TestScene(flat(fmt::format(R"(ObjectBegin "o" {} {} ObjectEnd
+    return explained(flat(fmt::format(R"(ObjectBegin "o" {} {} ObjectEnd
 DynamicBegin "sharp" {} ObjectInstance "o" DynamicEnd)",
-                                                      kUpper, blur, kKeys)))
-                               .job())
+                                      kUpper, blur, kKeys)))
         .front();
   };
   EXPECT_NE(line(R"("bool blur" false)").find("meanwhile 1 shape may"), std::string::npos);

@@ -256,6 +256,58 @@ INSTANTIATE_TEST_SUITE_P(Scenes, EveryIntegrator,
                            return name.substr(1, name.find('"', 1) - 1);
                          });
 
+/// A square half a pixel wide that crosses all of the film: 64 times its width.
+std::string fast_square(const std::string& integrator) {
+  std::string text = flat(R"("float shutterclose" 1)", R"(
+DynamicBegin "square"
+  Keyframe 1 Translate -4 0 0
+  Keyframe 2 Translate 4 0 0
+  KeyframeEnd
+  AreaLightSource "diffuse" "rgb L" [1 1 1] "bool twosided" true
+  Shape "bilinearmesh" "point3 P" [-.0625 -2 0 .0625 -2 0 -.0625 2 0 .0625 2 0]
+DynamicEnd
+)");
+  replace(text, "\"path\"", integrator);
+  replace(text, "\"integer yresolution\" 8", "\"integer yresolution\" 64");
+  return text;
+}
+
+// Sixteen iterations of one moment each would leave sixteen copies, and between them half of the columns would have seen none.
+TEST(Shutter, FastThingsLeaveAStreakInsteadOfCopies) {
+  for (const char* integrator : {R"("path")", R"("dsppm" "integer photons" 100)", R"("sppm" "integer photons" 100)"}) {
+    TestScene test(fast_square(integrator));
+    const Image first = test.render(FileFrame(0), 16), last = test.render(FileFrame(0), 512);
+    int dark = 0;
+    for (int x = 1; x < 31; ++x) {
+      dark += brightness(first, x) == 0;
+      EXPECT_NEAR(brightness(last, x), 1. / 64, 0.1 / 64) << integrator << ", column " << x;
+    }
+    EXPECT_LE(dark, 7) << integrator;
+  }
+}
+
+// A floor that photons light, under a wire that crosses it: each moment's part of the photons brings all of the light.
+TEST(Shutter, FastThingsTakeNoLightOfPhotons) {
+  const std::string floor = R"(AttributeBegin Material "diffuse" Translate 0 0 1
+  Shape "bilinearmesh" "point3 P" [-9 -9 0 9 -9 0 -9 9 0 9 9 0] AttributeEnd
+LightSource "distant" "rgb L" [2 2 2] "point3 from" [0 0 -1] "point3 to" [0 0 0]
+)";
+  std::string text =
+      fast_square(R"("dsppm" "integer photons" 4001 "float radius" .5 "string direct" "photons")") + floor;
+  const Image image = TestScene(text).render(FileFrame(0), 64);
+  double sum = 0;
+  for (int x = 0; x < 32; ++x) sum += brightness(image, x) / 32;
+  EXPECT_NEAR(sum / (2 * 0.5 / 3.14159265), 1, 0.08);
+}
+
+TEST(Shutter, FastThingsKeepEveryPromise) {
+  for (const char* integrator : {R"("path")", R"("dsppm" "integer photons" 100)"})
+    for (const auto check : {check_threads, check_resume, check_joint, check_crop}) {
+      const Verdict verdict = check(fast_square(integrator), 3);
+      EXPECT_TRUE(verdict.passed) << integrator << ": " << verdict.message;
+    }
+}
+
 TEST(Shutter, KeepsEveryPromise) {
   for (const char* integrator :
        {R"("path")", R"("vcm" "integer photons" 500)", R"("dsppm" "integer photons" 1000)",

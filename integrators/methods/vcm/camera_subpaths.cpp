@@ -91,36 +91,62 @@ class CameraSubpathTracer {
     CameraSubpath here = path;
     here.frames = vertex.frames, here.travel(vertex.hit.t);
     here.arrive(scene_, vertex);
-    here.weights = vertex.point.turns ? SubpathWeights{}
-                   : path.bounces > 0 ? path.weights.arrived(vertex.hit.t * vertex.hit.t, cosine, path.walk.is_inside())
-                                      : weights_at_first_vertex(path, vertex, cosine);
+    if (!vertex.point.turns)
+      here.weights = weights_on_arrival(path, vertex);
+    else
+      here.weights = {};
     add_emission(here, vertex);
+    scatter_light(here, vertex);
+  }
+
+  void collided(const CameraSubpath& path, const MediumVertex& vertex) {
+    CameraSubpath here = path;
+    here.travel(vertex.distance);
+    here.of_media |= here.bounces == 0;
+    here.weights = weights_on_arrival(path, vertex);
+    scatter_light(here, vertex);
+  }
+
+  /// Nothing else finds what media give off: no light subpath starts there.
+  void glowed(const CameraSubpath& passing, FrameSet frames, const Rgb& radiance) {
+    CameraSubpath path = passing;
+    path.of_media |= path.bounces == 0;
+    const SceneElement giver = glow_element(scene_, path.inside.medium);
+    add(path, {frames, radiance, nullptr, light_of(giver)}, [&] { return giver; });
+  }
+
+  template <class Place>
+  SubpathWeights weights_on_arrival(const CameraSubpath& path, const Place& place) const {
+    const float cosine = area_cosine(place, place.wo), length = length_to(place);
+    return path.bounces > 0 ? path.weights.arrived(length * length, cosine, path.walk.is_inside())
+                            : weights_at_first_vertex(path, place.p(), cosine);
+  }
+
+  /// Brings light to the place, which sends it back along the path, and goes on.
+  template <class Place>
+  void scatter_light(const CameraSubpath& path, const Place& place) {
     if (path.bounces >= pass_.settings.max_depth) return;
     FrameArray<Surface> surfaces;
     FrameArray<SubpathScattering> scattered;
-    for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
+    for_each_scattering(place, path.frames, [&](FrameSet frames, const Bsdf& bsdf) {
       if (can_connect(bsdf)) surfaces.add({frames, BsdfSlot::copy_of(bsdf)});
-      const auto scattering = scatter(here, vertex, frames, bsdf, Transport::radiance);
+      const auto scattering = scatter(path, place.wo, frames, bsdf, Transport::radiance);
       if (scattering && is_finite(scattering->sample.wi))
         scattered.add(*scattering);
       else if (scattering)
-        reject(here, frames, vertex.material_element());
+        reject(path, frames, place.scatterer());
     });
-    if (!surfaces.empty()) bring_light(here, vertex, std::span<const Surface>(surfaces));
+    if (!surfaces.empty()) bring_light(path, place, std::span<const Surface>(surfaces));
     for_each_joint(scattered, pass_.settings.share_paths,
                    [&](const SubpathScattering& first, std::span<const FrameFactor> factors) {
-                     extend(here, vertex, first, factors);
+                     extend(path, place, first, factors);
                    });
   }
 
-  /// Vertices on curves are not merged: being hit by a light subpath is not a density over the points of a surface that
-  /// turns to each ray, so light subpaths end there.
-  VcmWays ways_at(const Vertex& vertex) const { return vertex.point.turns ? pass_.ways.without_merging() : pass_.ways; }
-
   /// A camera that cannot tell where it sees a point has no light subpaths connected to it.
-  SubpathWeights weights_at_first_vertex(const CameraSubpath& path, const Vertex& vertex, float cosine) const {
+  SubpathWeights weights_at_first_vertex(const CameraSubpath& path, const Vec3& p, float cosine) const {
     if (pass_.ways.sighting == 0) return {};
-    const auto sight = path.camera->sight(vertex.point.p, path.random.pair(0, kLightDirection));
+    const auto sight = path.camera->sight(p, path.random.pair(0, kLightDirection));
     return sight ? SubpathWeights::at_first_vertex(pass_.ways, sight->pixels_per_area * cosine) : SubpathWeights{};
   }
 
@@ -144,20 +170,18 @@ class CameraSubpathTracer {
   }
 
   /// Brings light to surfaces that can be connected.
-  void bring_light(const CameraSubpath& path, const Vertex& vertex, std::span<const Surface> surfaces) {
-    add_next_event(path, vertex, surfaces);
-    for (const auto& [frames, bsdf] : surfaces) {
-      if (pass_.ways.merging > 0 && vertex.point.turns)
-        merge_on_curve(path, vertex, frames, *bsdf);
-      else if (pass_.ways.merging > 0)
-        merge(path, vertex, frames, *bsdf);
-    }
-    if (pass_.ways.connecting) connect(path, vertex, surfaces);
+  template <class Place>
+  void bring_light(const CameraSubpath& path, const Place& place, std::span<const Surface> surfaces) {
+    add_next_event(path, place, surfaces);
+    if (pass_.ways.merging > 0)
+      for (const auto& [frames, bsdf] : surfaces) merge(path, place, frames, *bsdf);
+    if (pass_.ways.connecting) connect(path, place, surfaces);
   }
 
   /// Frames whose surfaces differ share samples and rays.
-  void add_next_event(const CameraSubpath& path, const Vertex& vertex, std::span<const Surface> surfaces) {
-    const VcmWays ways = ways_at(vertex);
+  template <class Place>
+  void add_next_event(const CameraSubpath& path, const Place& place, std::span<const Surface> surfaces) {
+    const VcmWays ways = ways_at(pass_.ways, place);
     FrameSet frames;
     for (const Surface& surface : surfaces) frames |= surface.frames;
     const auto scattered = [&](FrameSet of, const LightSample& sample, auto&& take) {
@@ -167,29 +191,30 @@ class CameraSubpathTracer {
         const FrameSet common = in_frames & of;
         if (common.empty()) continue;
         const LobeSet lobes = bsdf->all_lobes();
-        const Rgb f = bsdf->evaluate(vertex.wo, wi, Transport::radiance, lobes);
+        const Rgb f = bsdf->evaluate(place.wo, wi, Transport::radiance, lobes);
         if (is_black(f)) continue;
-        if (!emission) emission = emission_over_next_event(pass_, sample, vertex.point);
-        const float hit = sample.pdf_w > 0 ? bsdf->pdf_w(vertex.wo, wi, Transport::radiance, lobes) / sample.pdf_w : 0;
+        if (!emission) emission = emission_over_next_event(pass_, sample, place.receiver(), area_cosine(place, wi));
+        const float hit = sample.pdf_w > 0 ? bsdf->pdf_w(place.wo, wi, Transport::radiance, lobes) / sample.pdf_w : 0;
         take(common, f * weight_of_next_event(ways, hit,
-                                              {path.weights, bsdf->pdf_w(wi, vertex.wo, Transport::flux, lobes),
+                                              {path.weights, bsdf->pdf_w(wi, place.wo, Transport::flux, lobes),
                                                *emission, merging_after(ways, 0)}));
       }
     };
-    sample_direct_light(scene_, path, vertex, frames, counts_, scattered,
+    sample_direct_light(scene_, path, place, frames, counts_, scattered,
                         [&](FrameSet lit, const Rgb& radiance, auto&& giver) {
                           add(path, {lit, radiance, nullptr, light_of(giver())}, giver);
                         });
   }
 
-  void connect(const CameraSubpath& path, const Vertex& vertex, std::span<const Surface> surfaces) {
-    const CameraVertex end{vertex, surfaces, path.frames, path.bounces, path.inside, path.weights, ways_at(vertex)};
-    light_subpath().for_each_connection(pass_, end, counts_, [&](const Brought& brought) {
-      add(path, brought, [&] { return vertex.material_element(); });
-    });
+  template <class Place>
+  void connect(const CameraSubpath& path, const Place& place, std::span<const Surface> surfaces) {
+    const CameraVertex<Place> end{place, surfaces, path.frames, path.bounces, path.inside, path.random, path.weights};
+    light_subpath().for_each_connection(
+        pass_, end, counts_, [&](const Brought& brought) { add(path, brought, [&] { return place.scatterer(); }); });
   }
 
   void merge(const CameraSubpath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf) {
+    if (vertex.point.turns) return merge_on_curve(path, vertex, frames, bsdf);
     const LobeSet lobes = bsdf.all_lobes();
     const auto giver = [&] { return vertex.material_element(); };
     const SurfacePoint& point = vertex.point;
@@ -237,20 +262,56 @@ class CameraSubpathTracer {
         });
   }
 
-  void extend(const CameraSubpath& path, const Vertex& vertex, const SubpathScattering& scattering,
+  /// The same in a medium: light subpaths have collided within a ball as often as light is scattered there.
+  void merge(const CameraSubpath& path, const MediumVertex& vertex, FrameSet frames, const Bsdf& bsdf) {
+    const LobeSet lobes = bsdf.all_lobes();
+    const VcmWays ways = ways_at(pass_.ways, vertex);
+    const float radius2 = pass_.radius_in_media * pass_.radius_in_media;
+    gathers_.gathers.add(frames.count());
+    gathers_.tests +=
+        map_.for_each_in_media_within(vertex.point, radius2, [&](const LightVertex& light, const Strand* strands) {
+          const FrameSet common = light.frames & frames;
+          const bool too_deep = path.bounces + light.bounces + 1 > pass_.settings.max_depth;
+          if (common.empty() || too_deep || light.medium != vertex.medium) return;
+          gathers_.found.add(common.count());
+          const Rgb f = bsdf.evaluate(vertex.wo, light.wi, Transport::radiance, lobes);
+          if (is_black(f)) return;
+          const float weight =
+              weight_of_merging(ways, {light.weights, bsdf.pdf_w(vertex.wo, light.wi, Transport::radiance, lobes)},
+                                {path.weights, bsdf.pdf_w(light.wi, vertex.wo, Transport::flux, lobes)});
+          const Rgb weighted = light.flux * f * (weight / pass_.ways.merging_in_media);
+          scene_.media[static_cast<std::size_t>(light.medium)].states.for_each(
+              common, [&](FrameSet alike, const Medium& medium) {
+                const Rgb sigma_t = medium.at(light.p).sigma_t();
+                Rgb radiance;
+                for (int c = 0; c < 3; ++c) radiance[c] = weighted[c] > 0 ? weighted[c] / sigma_t[c] : 0;
+                add(path, {alike, radiance, strands, light.light}, [&] { return vertex.scatterer(); });
+              });
+        });
+  }
+
+  static void leave(CameraSubpath& path, const Vertex& vertex, const BsdfSample& sample) {
+    extend_ray(path, vertex, sample);
+    static_cast<CameraPath&>(path).leave(vertex, sample);
+  }
+  static void leave(CameraSubpath& path, const MediumVertex& vertex, const BsdfSample& sample) {
+    static_cast<CameraPath&>(path).leave(vertex, sample.wi, sample.pdf_w);
+  }
+
+  template <class Place>
+  void extend(const CameraSubpath& path, const Place& place, const SubpathScattering& scattering,
               std::span<const FrameFactor> factors) {
     const BsdfSample& sample = scattering.sample;
     CameraSubpath& branch = branches_.push(path);
-    extend_ray(branch, vertex, sample);
-    branch.leave(vertex, sample);
-    const float cosine = std::abs(dot(sample.wi, vertex.point.ng));
+    leave(branch, place, sample);
+    const float cosine = area_cosine(place, sample.wi);
     branch.weights = sample.specular ? path.weights.mirrored(cosine)
-                                     : path.weights.camera_scattered(ways_at(vertex), sample.pdf_w,
+                                     : path.weights.camera_scattered(ways_at(pass_.ways, place), sample.pdf_w,
                                                                      scattering.reverse_pdf_w, cosine);
     const float u = path.random.number(path.bounces, kRoulette);
     const auto roulette = [&](StrandList, FrameSet frames, const Rgb&, const Rgb& after) {
       if (!is_light(after)) {
-        reject(path, frames, vertex.material_element());
+        reject(path, frames, place.scatterer());
         return Rgb();
       }
       const float p = roulette_chance(after, branch.eta_scale, path.bounces);
@@ -267,7 +328,7 @@ class CameraSubpathTracer {
       for_each_strand(brought.strands, alike, [&](FrameSet frames, const Rgb& weight) {
         const Rgb seen = path.throughput * own * brought.radiance * weight;
         if (!is_light(seen)) return reject(path, frames, giver());
-        sums_.add({frames, seen, path.pixel, brought.light, path.caught});
+        sums_.add({frames, seen, path.pixel, brought.light, path.caught, path.of_media});
       });
     });
   }
@@ -275,7 +336,8 @@ class CameraSubpathTracer {
   void add_to_part(const CameraSubpath& path, const Brought& brought) {
     for_each_strand(strands_.of(path.strands), brought.frames, [&](FrameSet alike, const Rgb& own) {
       const Rgb seen = path.throughput * own * brought.radiance;
-      if (is_light(seen) && !path.caught) sums_.add_to_part({alike, seen, path.pixel, brought.light});
+      if (is_light(seen) && !path.caught)
+        sums_.add_to_part({alike, seen, path.pixel, brought.light, false, path.of_media});
     });
   }
   void reject(const CameraPath& path, FrameSet frames, const SceneElement& giver) {

@@ -6,26 +6,44 @@ void LightSubpath::load(const Scene& scene, std::span<const LightVertex> vertice
   ends_.clear();
   surfaces_.clear();
   for (const LightVertex& light : vertices) {
-    Vertex met(scene, {{}, -light.wi}, {light.frames, light.hit});
-    met.point.outside_eta = light.outside_eta;
-    for_each_relief(met, [&](const Vertex& vertex) {  // the same in all of its frames, or it would have parted
-      const std::size_t first = surfaces_.size();
-      for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
-        surfaces_.push_back({frames, BsdfSlot::copy_of(bsdf)});
-      });
-      ends_.push_back({&light, strands.of(light.strands), vertex.point, first, surfaces_.size() - first});
-    });
+    if (light.medium != kNoMedium)
+      load_in_medium(scene, light, strands.of(light.strands));
+    else
+      load_on_surface(scene, light, strands.of(light.strands));
   }
 }
 
-FrameSet LightSubpath::join(const VcmPass& pass, const CameraVertex& camera, const End& end, FrameSet frames,
-                            const Vec3& w, float distance, FrameArray<Brought>& parts) const {
-  const SurfacePoint& point = camera.vertex.point;
-  const Vec3 &wo = camera.vertex.wo, &wi = end.vertex->wi;
-  const float distance2 = distance * distance, area = std::abs(dot(w, point.ng)) / distance2,
-              area_of_light = std::abs(dot(w, end.point.ng)) / distance2;
+void LightSubpath::load_on_surface(const Scene& scene, const LightVertex& light, const Strand* strands) {
+  Vertex met(scene, {{}, -light.wi}, {light.frames, light.hit});
+  met.point.outside_eta = light.outside_eta;
+  for_each_relief(met, [&](const Vertex& vertex) {  // the same in all of its frames, or it would have parted
+    const std::size_t first = surfaces_.size();
+    for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
+      surfaces_.push_back({frames, BsdfSlot::copy_of(bsdf)});
+    });
+    ends_.push_back({&light, strands, vertex.point.p, vertex.point.ng, first, surfaces_.size() - first});
+  });
+}
+
+void LightSubpath::load_in_medium(const Scene& scene, const LightVertex& light, const Strand* strands) {
+  const std::size_t first = surfaces_.size();
+  scene.media[static_cast<std::size_t>(light.medium)].states.for_each(
+      light.frames, [&](FrameSet frames, const Medium& medium) {
+        const MediumProperties here = medium.at(light.p);
+        surfaces_.push_back({frames, {}});
+        surfaces_.back().bsdf.emplace<PhaseBsdf>(here.albedo(), HenyeyGreenstein(here.g));
+      });
+  ends_.push_back({&light, strands, light.p, {}, first, surfaces_.size() - first});
+}
+
+FrameSet LightSubpath::join(const VcmPass& pass, const Beginning& camera, std::span<const Surface> surfaces,
+                            const SubpathWeights& weights, const End& end, FrameSet frames,
+                            FrameArray<Brought>& parts) const {
+  const Vec3 &wo = camera.wo, &w = camera.w, &wi = end.vertex->wi;
+  const float distance2 = camera.distance * camera.distance, area = camera.area_cosine / distance2,
+              area_of_light = end.area_cosine(w) / distance2;
   FrameSet joined;
-  for (const Surface& seen : camera.surfaces) {
+  for (const Surface& seen : surfaces) {
     const LobeSet lobes = seen.bsdf->all_lobes();
     const Rgb f = seen.bsdf->evaluate(wo, w, Transport::radiance, lobes);
     if ((seen.frames & frames).empty() || is_black(f) || seen.bsdf->enters(w)) continue;
@@ -41,8 +59,8 @@ FrameSet LightSubpath::join(const VcmPass& pass, const CameraVertex& camera, con
       const float light_reverse_pdf_w = lit.bsdf->pdf_w(-w, wi, Transport::radiance, all);
       const float weight = weight_of_connection(
           pass.ways, {end.vertex->weights, light_reverse_pdf_w, pdf_w * area_of_light, end.vertex->merging},
-          {camera.weights, reverse_pdf_w, light_pdf_w * area, merging_after(camera.ways, light_pdf_w)});
-      const Rgb radiance = end.vertex->flux * sent * f * (area_of_light * std::abs(dot(w, point.ns)) * weight);
+          {weights, reverse_pdf_w, light_pdf_w * area, merging_after(camera.ways, light_pdf_w)});
+      const Rgb radiance = end.vertex->flux * sent * f * (area_of_light * camera.cosine * weight);
       parts.add({common, radiance, end.strands, end.vertex->light});
       joined |= common;
     }

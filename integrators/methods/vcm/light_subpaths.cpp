@@ -5,6 +5,7 @@
 
 #include "dspm/base/system/parallel.h"
 #include "dspm/integrators/methods/vcm/light_densities.h"
+#include "dspm/integrators/methods/vcm/subpath_place.h"
 #include "dspm/integrators/photons/photon_numbers.h"
 #include "dspm/integrators/photons/photon_starts.h"
 #include "dspm/integrators/photons/trace_photons.h"
@@ -46,6 +47,7 @@ class LightPathTracer {
   void start(std::size_t choice, const PathRandom& random) {
     const EmissionStart chosen = start_of(pass_.guides, scene_, choice, random);
     if (chosen.density == 0) return;
+    if (scene_.lights[static_cast<std::size_t>(chosen.light)].glow.medium != kNoMedium) return;  // camera paths see it
     for (const PhotonStart& start : starts_.of(choice, chosen.light)) {
       // States that would start alike with other densities than their own part.
       if (start.varied == nullptr)
@@ -67,7 +69,8 @@ class LightPathTracer {
       return out_.rejections.add({SceneElement::Kind::light, chosen.light}, start.frames);
     light_ = start.light, scene_light_ = &scene_light, light_index_ = chosen.light, emission_ = *emission;
     LightPath& path = branches_.push({{emission->ray, flux, start.frames}, {}});
-    path.random = random, path.strands = start.strands, path.inside = start.inside,
+    path.random = random, path.strands = start.strands, path.inside = start.inside;
+    path.inside.medium = scene_light.media.medium_towards(!(dot(emission->normal, emission->ray.direction) < 0));
     path.merging = merging_after(pass_.ways, 0), path.hidden = scene_light.is_delta;
     branches_.follow(*this);
   }
@@ -78,60 +81,102 @@ class LightPathTracer {
   void lost(const LightPath&, FrameSet frames, const SceneElement& giver) { out_.rejections.add(giver, frames); }
 
   void arrived(const LightPath& path, const Vertex& vertex) {
-    const float cosine = std::abs(dot(vertex.wo, vertex.point.ng)), distance2 = vertex.hit.t * vertex.hit.t;
-    if (!(cosine > 0) || path.bounces >= pass_.settings.max_depth) return;
-    if (path.bounces == 0 && vertex.hit.t < emission_.must_reach) return;
+    if (!(area_cosine(vertex, vertex.wo) > 0) || !may_arrive(path, vertex)) return;
     if (vertex.point.turns) return end_on_curve(path, vertex);
+    scatter_light(path, vertex, mixed_frames(vertex, can_connect));
+  }
+
+  void collided(const LightPath& path, const MediumVertex& vertex) {
+    if (may_arrive(path, vertex)) scatter_light(path, vertex, {});
+  }
+
+  template <class Place>
+  bool may_arrive(const LightPath& path, const Place& place) const {
+    if (path.bounces >= pass_.settings.max_depth) return false;
+    return path.bounces > 0 || !(length_to(place) < emission_.must_reach);
+  }
+
+  /// Keeps the vertex in the frames in which it can be connected, `connecting` among them, and goes on.
+  template <class Place>
+  void scatter_light(const LightPath& path, const Place& place, FrameSet connecting) {
+    const float cosine = area_cosine(place, place.wo), distance2 = length_to(place) * length_to(place);
     const SubpathWeights weights = path.bounces > 0 ? path.weights.arrived(distance2, cosine, path.walk.is_inside())
                                                     : weights_at_first_vertex(pass_, *scene_light_, *light_, emission_,
-                                                                              vertex.point, distance2, cosine);
-    FrameSet connecting = mixed_frames(vertex, can_connect);
+                                                                              place.receiver(), distance2, cosine);
     FrameArray<SubpathScattering> scattered;
-    for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
+    for_each_scattering(place, path.frames, [&](FrameSet frames, const Bsdf& bsdf) {
       if (can_connect(bsdf)) connecting |= frames;
       if (path.bounces + 1 < pass_.settings.max_depth)
-        if (const auto scattering = scatter(path, vertex, frames, bsdf)) scattered.add(*scattering);
+        if (const auto scattering = scatter(path, place, frames, bsdf)) scattered.add(*scattering);
     });
-    if (!connecting.empty()) store(path, weights, vertex, connecting);
+    if (!connecting.empty()) store(path, weights, place, connecting);
     for_each_joint(scattered, pass_.settings.share_paths,
                    [&](const SubpathScattering& first, std::span<const FrameFactor> factors) {
-                     extend(path, weights, vertex, first, factors);
+                     extend(path, weights, place, first, factors);
                    });
   }
 
-  std::optional<SubpathScattering> scatter(const LightPath& path, const Vertex& vertex, FrameSet frames,
+  template <class Place>
+  std::optional<SubpathScattering> scatter(const LightPath& path, const Place& place, FrameSet frames,
                                            const Bsdf& bsdf) {
-    auto scattering = dspm::scatter(path, vertex, frames, bsdf, Transport::flux);
+    auto scattering = dspm::scatter(path, place.wo, frames, bsdf, Transport::flux);
     if (!scattering) return std::nullopt;
     if (!is_finite(scattering->sample.wi)) {
-      out_.rejections.add(vertex.material_element(), frames);
+      out_.rejections.add(place.scatterer(), frames);
       return std::nullopt;
     }
-    scattering->factor *= shading_correction(vertex.point, vertex.wo, scattering->sample.wi);
+    scattering->factor *= correction(place, scattering->sample.wi);
     return scattering;
   }
+  static float correction(const Vertex& vertex, const Vec3& wi) {
+    return shading_correction(vertex.point, vertex.wo, wi);
+  }
+  static float correction(const MediumVertex&, const Vec3&) { return 1; }
 
-  void extend(const LightPath& path, const SubpathWeights& weights, const Vertex& vertex,
+  static void leave(LightPath& path, const Vertex& vertex, const BsdfSample& sample) {
+    extend_ray(path, vertex, sample);
+  }
+  static void leave(LightPath& path, const MediumVertex& vertex, const BsdfSample& sample) {
+    extend_ray(path, vertex, sample.wi);
+  }
+
+  template <class Place>
+  void extend(const LightPath& path, const SubpathWeights& weights, const Place& place,
               const SubpathScattering& scattering, std::span<const FrameFactor> factors) {
     LightPath& branch = branches_.push(path);
-    extend_ray(branch, vertex, scattering.sample);
     const BsdfSample& sample = scattering.sample;
-    const float cosine = std::abs(dot(sample.wi, vertex.point.ng));
+    leave(branch, place, sample);
+    const float cosine = area_cosine(place, sample.wi);
     branch.weights = sample.specular ? weights.mirrored(cosine)
                                      : weights.light_scattered(pass_.ways, sample.pdf_w, scattering.reverse_pdf_w,
-                                                               cosine, path.merging);
+                                                               cosine, merging_at(path, place));
     branch.hidden = path.hidden && sample.specular;
     branch.merging = sample.specular ? pass_.ways.merging : merging_after(pass_.ways, sample.pdf_w);
     const float u = path.random.number(path.bounces, kRoulette);
     const auto roulette = [&](StrandList, FrameSet frames, const Rgb& before, const Rgb& after) {
       if (!is_light(after)) {
-        out_.rejections.add(vertex.material_element(), frames);
+        out_.rejections.add(place.scatterer(), frames);
         return Rgb();
       }
       const float p = std::min(1.f, max_component(after) / max_component(before));
       return p >= 1 ? after : u < p ? after * (1 / p) : Rgb();
     };
     if (!multiply(branch, factors, out_.strands, ByRatio::yes, roulette)) branches_.drop();
+  }
+
+  /// What merges count there.
+  static float merging_at(const LightPath& path, const Vertex&) { return path.merging; }
+  float merging_at(const LightPath& path, const MediumVertex& vertex) const {
+    return path.merging > 0 ? ways_at(pass_.ways, vertex).merging : 0;
+  }
+
+  void store(const LightPath& path, const SubpathWeights& weights, const MediumVertex& vertex, FrameSet frames) {
+    LightVertex stored{};
+    stored.p = vertex.point, stored.wi = vertex.wo, stored.medium = vertex.medium;
+    stored.flux = path.throughput, stored.strands = out_.strands.folded(path.strands, frames, stored.flux);
+    stored.light = light_index_, stored.frames = frames, stored.bounces = path.bounces;
+    stored.weights = weights, stored.merging = merging_at(path, vertex);
+    store(stored, vertex, path);
   }
 
   void store(const LightPath& path, const SubpathWeights& weights, const Vertex& vertex, FrameSet frames) {
@@ -144,11 +189,16 @@ class LightPathTracer {
     const ShapeFace face(vertex.hit.shape, point.ng, vertex.wo);
     const LightVertex stored{point.p, vertex.wo,    face,    flux,         light_index_, frames,
                              strands, path.bounces, weights, path.merging, vertex.hit,   point.outside_eta};
-    if (pass_.ways.sighting > 0) connect_to_camera(stored, vertex, path);
-    if (!pass_.settings.connect && stored.merging == 0) return;
-    out_.vertices.push_back(stored);
-    out_.stored.add(frames.count());
-    out_.paths.weighted += strands != 0;
+    store(stored, vertex, path);
+  }
+
+  template <class Place>
+  void store(const LightVertex& light, const Place& place, const LightPath& path) {
+    if (pass_.ways.sighting > 0) connect_to_camera(light, place, path);
+    if (!pass_.settings.connect && light.merging == 0) return;
+    out_.vertices.push_back(light);
+    out_.stored.add(light.frames.count());
+    out_.paths.weighted += light.strands != 0;
   }
 
   /// Ends a path on a curve with hidden light, which nothing else brings there; all other light is found by camera
@@ -169,22 +219,27 @@ class LightPathTracer {
     out_.stored.add(frames.count());
   }
 
-  void connect_to_camera(const LightVertex& light, const Vertex& vertex, const LightPath& path) {
+  template <class Place>
+  void connect_to_camera(const LightVertex& light, const Place& place, const LightPath& path) {
     const Vec2 lens = path.random.pair(light.bounces + 1, kLightPoint);
     scene_.camera.for_each(light.frames, [&](FrameSet seeing, const Camera& camera) {
       const auto sight = camera.sight(light.p, lens);
       if (sight && is_seen(sight->film, pass_.render))
-        send(light, vertex, *sight, vertex.inside_beyond(path.inside, sight->w), seeing);
+        send(light, place, *sight, {place.inside_beyond(path.inside, sight->w), path.random}, seeing);
     });
   }
 
+  struct Way {
+    Inside inside;
+    PathRandom random;
+  };
   /// Sends light to the camera, as a radiance that is flux f times the pixels that a unit of area covers.
-  void send(const LightVertex& light, const Vertex& vertex, const Sighting& sight, const Inside& inside,
-            FrameSet seeing) {
-    const float pdf_a = sight.pixels_per_area * std::abs(dot(sight.w, vertex.point.ng));
+  template <class Place>
+  void send(const LightVertex& light, const Place& place, const Sighting& sight, const Way& way, FrameSet seeing) {
+    const float pdf_a = sight.pixels_per_area * area_cosine(place, sight.w);
     FrameArray<FrameFactor> parts;
     FrameSet sent;
-    for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
+    for_each_scattering(place, seeing, [&](FrameSet frames, const Bsdf& bsdf) {
       const FrameSet common = frames & seeing;
       if (common.empty()) return;
       const LobeSet lobes = bsdf.all_lobes();
@@ -194,20 +249,20 @@ class LightPathTracer {
       const float weight =
           weight_of_sighting(pass_.ways, {light.weights, reverse_pdf_w, pdf_a / pass_.ways.sighting, light.merging});
       const Rgb radiance = light.flux * f * (pdf_a * weight / pass_.ways.sighting);
-      if (!is_light(radiance)) return out_.rejections.add(vertex.material_element(), common);
+      if (!is_light(radiance)) return out_.rejections.add(place.scatterer(), common);
       parts.add({common, radiance});
       sent |= common;
     });
     if (sent.empty()) return;
     ++out_.paths.shadow_rays;
-    for_each_open(scene_, vertex.point.spawn(sight.w, sight.distance), inside, sent,
-                  [&](FrameSet open, const Rgb& transmittance) {
+    for_each_open(scene_, segment_from(place, sight.w, sight.distance), way.inside, sent,
+                  {way.random, light.bounces + 1}, [&](FrameSet open, const Rgb& transmittance) {
                     for (const FrameFactor& part : parts)
                       for_each_strand(
                           out_.strands.of(light.strands), part.frames & open, [&](FrameSet frames, const Rgb& weight) {
                             if (!frames.empty())
                               out_.splats.push_back({sight.film, frames, part.factor * weight * transmittance,
-                                                     light_index_, scene_.is_catcher(vertex.hit.shape)});
+                                                     light_index_, is_caught(scene_, place)});
                           });
                   });
   }

@@ -19,7 +19,7 @@
 
 namespace dspm {
 
-/// A vertex on a surface that scatters by lobes other than specular ones, too.
+/// A vertex on a surface that scatters by lobes other than specular ones, too, or in a medium.
 struct LightVertex {
   Vec3 p, wi;      // towards where the flux came from
   ShapeFace face;  // the one that it has reached
@@ -29,9 +29,10 @@ struct LightVertex {
   StrandList strands;  // in its trace's table
   int bounces;         // scatterings before
   SubpathWeights weights;
-  float merging;  // what merges count here; 0: there are none
-  RayHit hit;
-  float outside_eta;  // see SurfacePoint
+  float merging;           // what merges count here; 0: there are none
+  RayHit hit;              // of the surface
+  float outside_eta;       // see SurfacePoint
+  int medium = kNoMedium;  // kNoMedium: it is on a surface
 };
 
 /// The results of a range of light subpaths.

@@ -19,11 +19,12 @@ namespace dspm {
 
 /// The ways that there are besides camera paths that hit lights and shadow rays to lights.
 struct VcmWays {
-  float merging = 0;        // eta = N pi r^2, for N light subpaths; 0: vertices are not merged
-  float sighting = 0;       // N if vertices of light subpaths are connected to the camera, else 0
-  bool connecting = false;  // vertices of camera subpaths are connected to those of light subpaths
+  float merging = 0;           // eta = N pi r^2, for N light subpaths; 0: vertices are not merged
+  float sighting = 0;          // N if vertices of light subpaths are connected to the camera, else 0
+  bool connecting = false;     // vertices of camera subpaths are connected to those of light subpaths
+  float merging_in_media = 0;  // N 4/3 pi r^3, with a radius of its own
 
-  VcmWays without_merging() const { return {0, sighting, connecting}; }
+  VcmWays with_merging(float eta) const { return {eta, sighting, connecting, merging_in_media}; }
 };
 
 /// Returns what merges count where light arrives that was scattered with this density, by solid angle; 0 if it was

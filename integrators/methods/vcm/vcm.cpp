@@ -62,11 +62,16 @@ bool needs_light_paths(const VcmSettings& settings) { return settings.connect ||
 VcmPass pass_of(const VcmSettings& settings, const Scene& scene, const RenderSettings& render, std::uint64_t iteration,
                 float radius, const EmissionGuides* guides) {
   const auto paths = static_cast<float>(settings.photons);
+  constexpr float kRadiiInMedia = 4;  // there, vertices lie apart in three dimensions
+  const float in_media = kRadiiInMedia * radius;
   VcmWays ways;
-  if (settings.merge) ways.merging = paths * kPi * radius * radius;
+  if (settings.merge) {
+    ways.merging = paths * kPi * radius * radius;
+    ways.merging_in_media = paths * (4 * kPi / 3) * in_media * in_media * in_media;
+  }
   if (settings.sight) ways.sighting = paths;
   ways.connecting = settings.connect;
-  return {scene, render, settings, iteration, radius, ways, guides};
+  return {scene, render, settings, iteration, radius, in_media, ways, guides};
 }
 
 /// Learns where light paths start that shadow rays cannot replace.
@@ -93,7 +98,7 @@ std::size_t light_path_bytes(const VcmSettings& settings, const Scene& scene, co
   const auto learned = learned_emission(settings, scene, render, not_counted);
   sample.trace(pass_of(few, scene, render, 0, settings.radius, &learned->guides));
   LightVertexMap map;
-  if (settings.merge) map.build(sample.traces(), scene.frame_count(), 2 * scene.radius);
+  if (settings.merge) map.build(sample.traces(), scene.frame_count(), {2 * scene.radius, 2 * scene.radius});
   const double bytes = static_cast<double>(sample.bytes()) + kWithCells * static_cast<double>(map.bytes());
   return static_cast<std::size_t>(kSlack * bytes / few.photons * settings.photons);
 }
@@ -161,7 +166,7 @@ class Vcm final : public SummingIntegrator {
 
   void build_map(const VcmPass& pass, Statistics& statistics) {
     const StepTimer timer(statistics.steps[kMap]);
-    map_.build(light_.traces(), pass.scene.frame_count(), pass.radius);
+    map_.build(light_.traces(), pass.scene.frame_count(), {pass.radius, pass.radius_in_media});
   }
 
   VcmSettings settings_;

@@ -30,7 +30,8 @@ struct VcmPass {
   const RenderSettings& render;
   const VcmSettings& settings;
   std::uint64_t iteration;
-  float radius;  // of merging, the same everywhere and in all frames
+  float radius;  // of merging on surfaces, the same everywhere and in all frames
+  float radius_in_media;
   VcmWays ways;
   const EmissionGuides* guides = nullptr;  // of light paths' starts; null or off: by power
 };
@@ -52,13 +53,13 @@ struct SubpathScattering {
 };
 
 /// Returns nullopt if the light is absorbed. The factor is the sample's weight.
-inline std::optional<SubpathScattering> scatter(const PathState& path, const Vertex& vertex, FrameSet frames,
+inline std::optional<SubpathScattering> scatter(const PathState& path, const Vec3& wo, FrameSet frames,
                                                 const Bsdf& bsdf, Transport transport) {
   const LobeSet lobes = bsdf.all_lobes();
-  const auto sample = sample_bsdf(bsdf, path, vertex.wo, transport, lobes);
+  const auto sample = sample_bsdf(bsdf, path, wo, transport, lobes);
   if (!sample) return std::nullopt;
   const Transport back = transport == Transport::flux ? Transport::radiance : Transport::flux;
-  const float reverse = sample->specular ? 0 : bsdf.pdf_w(sample->wi, vertex.wo, back, lobes);
+  const float reverse = sample->specular ? 0 : bsdf.pdf_w(sample->wi, wo, back, lobes);
   return SubpathScattering{frames, sample->weight, *sample, reverse};
 }
 

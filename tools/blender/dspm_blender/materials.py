@@ -6,6 +6,7 @@ from .directive import Directive, over_frames
 from .links import LinkedSocket
 from .relief import displacement
 from .shader_tree import ShaderTree
+from .volumes import Volume, VolumeTree
 
 
 class Materials:
@@ -13,6 +14,8 @@ class Materials:
 
     def __init__(self, textures, notes):
         self.textures, self.notes, self.states, self.override = textures, notes, {}, None
+        self.media = {}  # material -> the name of the medium inside
+        self.around = Volume()  # the world's, which Cycles adds to all others
 
     def see(self, frame, material):
         """Its name in the scene."""
@@ -29,6 +32,13 @@ class Materials:
     def shown(self, frame, material):
         """The same for an object that has this material. A view layer may override all of them."""
         return self.see(frame, self.override or material)
+
+    def volume(self, material):
+        """Of a volume object; without a material, Blender's default."""
+        tree = material.node_tree if material and material.use_nodes else None
+        output = tree.get_output_node("CYCLES") if tree else None
+        volume = output and VolumeTree(f'material "{material.name_full}"', self.notes).of(LinkedSocket(output.inputs["Volume"]))
+        return volume or Volume((0.5,) * 3, (0.5,) * 3)
 
     def lines(self):
         for states in self.states.values():
@@ -52,25 +62,38 @@ class Materials:
             return [Directive("MakeNamedMaterial", tree.name).with_params({"string type": "interface"})]
         surface, volume = (LinkedSocket(output.inputs[name]) for name in ("Surface", "Volume"))
         if surface.source() is None and volume.source() is not None:
-            tree.note(volume.source(), "a volume without a surface is left out, and light passes its object")
-            return [Directive("MakeNamedMaterial", tree.name).with_params({"string type": "interface"})]
+            return [*self._medium(tree, volume), Directive("MakeNamedMaterial", tree.name).with_params({"string type": "interface"})]
         shader = tree.of(surface)
-        more = displacement(tree, output) | absorption(tree, shader, volume)
+        more, media = displacement(tree, output), []
+        if absorbs_alone(shader, volume):
+            more |= absorption(tree, volume.source())
+        else:
+            media = self._medium(tree, volume)
         made = tree.directive(replace(shader, plain=shader.plain | more))
-        return [*tree.parts, made]
+        return [*media, *tree.parts, made]
+
+    def _medium(self, tree, socket):
+        """What fills objects of this material: a list with one directive, or none."""
+        volume = VolumeTree(f'material "{tree.name}"', self.notes).of(socket)
+        if volume is None:
+            return []
+        if volume.grid and volume.grid != "density":
+            tree.note(socket.source(), f'meshes have no grid "{volume.grid}"; the medium is the same everywhere')
+        name = self.media[tree.name] = f"inside {tree.name}"
+        return [Directive("MakeNamedMedium", name).with_params(volume.plus(self.around).params())]
 
 
 NONE = "no material"
 
 
-def absorption(tree, shader, socket):
-    """Beer's law: Volume Absorption leaves exp(-(1 - colour) density) of light in each unit."""
+def absorbs_alone(shader, socket):
+    """Glass that absorbs is a body of dspm's: it needs no medium."""
     source = socket.source()
-    if source is None:
-        return {}
-    if source.node.bl_idname != "ShaderNodeVolumeAbsorption" or shader.kind not in {"dielectric", "principled"}:
-        tree.note(source, "volumes other than absorbing glass are left out")
-        return {}
+    return source is not None and source.node.bl_idname == "ShaderNodeVolumeAbsorption" and shader.kind in {"dielectric", "principled"}
+
+
+def absorption(tree, source):
+    """Beer's law: Volume Absorption leaves exp(-(1 - colour) density) of light in each unit."""
     density = tree.number(source, "Density")
     return {"rgb attenuationcolor": [math.exp(-(1 - each) * density) for each in tree.field(source, "Color").mean().colour()]}
 

@@ -15,7 +15,7 @@ class Objects:
     """Geometries with their materials, and where they stand."""
 
     def __init__(self, folder, materials):
-        self.folder, self.materials = folder, materials
+        self.folder, self.materials, self.outside = folder, materials, ""
         self.geometries, self.stems = {}, set()
         self.placements = {}  # (geometry's key, materials' names, parameters) -> {the instance's key: Placement}
 
@@ -33,8 +33,9 @@ class Objects:
             instance_key(instance), Placement(object.name, block))
         placement.matrices.append((frame, instance.matrix_world.copy()))
 
-    def lines(self, all_frames, between):
-        """`between` has the places at times between frames, by the instance's key."""
+    def lines(self, all_frames, between, outside):
+        """`between` has the places at times between frames, by the instance's key; `outside` is the medium around them."""
+        self.outside = outside
         for geometry in self.geometries.values():
             geometry.finish()
         for i, ((key, names, params), placements) in enumerate(self.placements.items()):
@@ -66,8 +67,15 @@ class Objects:
         lines = []
         for slot in sorted(geometry.files):
             material = names[min(slot, len(names) - 1)]
-            lines += [f"NamedMaterial {quoted(material)}", *geometry.shapes(name, slot, frames, all_frames, params, in_their_block)]
+            lines += [f"NamedMaterial {quoted(material)}", *self._filled(
+                material, geometry.shapes(name, slot, frames, all_frames, params, in_their_block))]
         return lines
+
+    def _filled(self, material, lines):
+        if material not in self.materials.media:
+            return lines
+        interface = f"MediumInterface {quoted(self.materials.media[material])} {quoted(self.outside)}"
+        return ["AttributeBegin", *indented([interface, *lines]), "AttributeEnd"]
 
     def _stem(self, name):
         stem = file_name(name)

@@ -13,6 +13,7 @@ from .strands import curves_strands, hair_systems, particle_strands
 from .textures import Textures, file_name
 from .variations import Variations
 from .versions import VIEWS
+from .volumes import VolumeObjects
 from .world import World
 
 
@@ -27,6 +28,7 @@ class SceneExport:
         self.materials = Materials(self.textures, self.notes)
         self.camera, self.world = Camera(self.notes, shutter.params()), World(self.textures.folder, self.notes)
         self.objects, self.lights, self.hair = Objects(self.meshes, self.materials), {}, {}
+        self.volumes = VolumeObjects(path, self.materials, self.notes)
         self.between = {}  # the instance's key -> [(time, matrix)]
 
     def see(self, frame, depsgraph):
@@ -35,6 +37,7 @@ class SceneExport:
         self.materials.override = layer.material_override
         self.camera.see(frame, scene.camera and scene.camera.evaluated_get(depsgraph), scene)
         self.world.see(frame, scene.world and scene.world.evaluated_get(depsgraph))
+        self.materials.around = self.world.volume
         for instance in depsgraph.object_instances:
             object = instance.object
             for system in hair_systems(object) if instance.show_particles and not instance.is_instance else ():
@@ -51,7 +54,9 @@ class SceneExport:
                 self.objects.see(frame, instance, self.variations.block(instance))
             elif object.type == "CURVES":
                 self._see_hair(frame, instance, object.name, object.active_material, curves_strands(object.data))
-            elif object.type in {"VOLUME", "POINTCLOUD", "GPENCIL", "GREASEPENCIL"}:
+            elif object.type == "VOLUME":
+                self.volumes.see(frame, instance_key(instance), instance, self.variations.block(instance))
+            elif object.type in {"POINTCLOUD", "GPENCIL", "GREASEPENCIL"}:
                 self.notes.add(f'object "{object.name}": {object.type.lower()} is left out')
         self.variations.see(frame, self.materials)
 
@@ -94,8 +99,10 @@ class SceneExport:
             world += hair.lines(frames, self.between.get(key, ()))
         for light in self.lights.values():
             world += light.lines(frames, self.camera)
-        world += [*self.objects.lines(frames, self.between), *self.variations.lines(self.materials)]
-        lines = [*head(scene, settings, frames, self.path), *self.camera.lines(), "", "WorldBegin",
+        outside = self.world.medium()
+        world += [*self.objects.lines(frames, self.between, outside), *self.volumes.lines(frames, self.between, outside)]
+        world += self.variations.lines(self.materials)
+        lines = [*head(scene, settings, frames, self.path), *self.world.medium_lines(), *self.camera.lines(), "", "WorldBegin",
                  *self.textures.lines, *self.materials.lines(), *world]
         with open(self.path, "w", encoding="utf-8") as file:
             file.write("\n".join(lines) + "\n")

@@ -5,25 +5,43 @@ from mathutils import Euler, Matrix
 
 from .blocks import matrix_text
 from .colours import Colours
-from .directive import Directive, over_frames
+from .directive import Directive, over_frames, quoted
 from .image_fields import file_of, is_missing, is_plain, missing, pixels
 from .light_groups import light_group
 from .links import LinkedSocket
 from .textures import file_name
+from .volumes import Volume, VolumeTree
 from .write_pfm import write_pfm
 
 
 class World:
     def __init__(self, folder, notes):
         self.folder, self.notes, self.states, self.turn = folder, notes, [], None
+        self.volume, self.media = Volume(), []  # what fills all space in the latest frame, and (frame, directive) pairs
 
     def see(self, frame, world):
         if world is None:
             return
-        if world.original.animation_data or (world.node_tree and world.original.node_tree.animation_data) or not self.states:
+        if world.original.animation_data or (world.node_tree and world.original.node_tree.animation_data) or not (self.states or self.media):
+            self._see_volume(frame, world)
             directive = self._directive(world)
             if directive:
                 self.states.append((frame, directive))
+
+    def medium(self):
+        """The name of what fills all space."""
+        return "world" if self.media else ""
+
+    def medium_lines(self):
+        """Before the camera, which is in it."""
+        return [over_frames(self.media, self.notes), f"MediumInterface {quoted(self.medium())}"] if self.media else []
+
+    def _see_volume(self, frame, world):
+        output = world.node_tree.get_output_node("CYCLES") if world.use_nodes else None
+        volume = output and VolumeTree(f'world "{world.name}"', self.notes).of(LinkedSocket(output.inputs["Volume"]))
+        if volume:
+            self.volume = volume
+            self.media.append((frame, Directive("MakeNamedMedium", "world").with_params(volume.params())))
 
     def lines(self):
         if all(not any(state.params.get("rgb L", [1])) for _, state in self.states):
@@ -36,8 +54,6 @@ class World:
         if not world.use_nodes:
             return light.with_params({"rgb L": list(world.color)})
         output = world.node_tree.get_output_node("CYCLES")
-        if output and LinkedSocket(output.inputs["Volume"]).source():
-            self.notes.add(f'world "{world.name}": its volume is left out')
         source = LinkedSocket(output.inputs["Surface"]).source() if output else None
         if source is None:
             return None
