@@ -17,8 +17,6 @@
 namespace dspm {
 namespace {
 
-constexpr double kGoldenRatio = 0.6180339887498949;
-
 /// The boxes of all that may move, by frame and object.
 std::map<std::pair<Frame, int>, Bounds3> boxes_of(const Scene& scene) {
   std::map<std::pair<Frame, int>, Bounds3> boxes;
@@ -85,7 +83,7 @@ std::vector<std::string> explain_shutter(const Job& job, const World& world) {
 }
 
 int moments_of_an_iteration(const Job& job, const World& world) {
-  constexpr int kMost = 4;
+  constexpr int kMost = 7;
   constexpr double kWidths = 16, kPixels = 128;  // that one moment is enough for
   if (!job.shutter.delays() || !job.plugin->sees_moments) return 1;
   const std::vector<FileFrame> frames = world.sample_frames();
@@ -93,7 +91,8 @@ int moments_of_an_iteration(const Job& job, const World& world) {
   const std::unique_ptr<const Scene> first = opening->scene(frames), last = closing->scene(frames);
   const double needed =
       std::max(widths_passed(*first, *last) / kWidths, pixels_turned(*first, *last, job.settings) / kPixels);
-  return static_cast<int>(std::clamp(std::ceil(needed), 1., double{kMost}));
+  // Of sixteen iterations each width of the way then sees two moments; their number is odd, see Exposure::iteration().
+  return needed <= 1 ? 1 : std::min(kMost, 2 * static_cast<int>(std::ceil(std::min(needed, 4.) - 0.5)) + 1);
 }
 
 Iteration Exposure::iteration(int number) {
@@ -102,8 +101,9 @@ Iteration Exposure::iteration(int number) {
   const double delay = delay_of(number, job_.shutter, job_.settings), length = job_.shutter.close - job_.shutter.open;
   later_.clear(), moments_.clear();
   for (int moment = 0; moment < *count_; ++moment) {
-    // Each pixel's times are as even as those of one moment: they are the same, turned around the shutter.
-    const double share = (delay - job_.shutter.open) / length + kGoldenRatio * moment;
+    // Each pixel's times are as even as those of one moment: they are the same, turned around the shutter. As the number of
+    // moments is odd, they divide the gaps evenly that 8, 16, 32, ... iterations leave.
+    const double share = (delay - job_.shutter.open) / length + moment / (8. * *count_);
     Later& later = later_.emplace_back();
     later.world = world_.after(moment == 0 ? delay : job_.shutter.open + length * (share - std::floor(share)));
     later.scene = later.world->scene(scene_.file_frames, &scene_);

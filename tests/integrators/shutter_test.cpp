@@ -282,7 +282,7 @@ TEST(Shutter, FastThingsLeaveAStreakInsteadOfCopies) {
       dark += brightness(first, x) == 0;
       EXPECT_NEAR(brightness(last, x), 1. / 64, 0.1 / 64) << integrator << ", column " << x;
     }
-    EXPECT_LE(dark, 7) << integrator;
+    EXPECT_LE(dark, 3) << integrator;
   }
 }
 
