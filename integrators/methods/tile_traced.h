@@ -7,6 +7,7 @@
 #include "dspm/integrators/integrator.h"
 #include "dspm/integrators/summing_integrator.h"
 #include "dspm/integrators/trace_tiles.h"
+#include "dspm/world/scene/scene.h"
 
 namespace dspm {
 

@@ -7,6 +7,7 @@
 #include "dspm/integrators/tiles.h"
 #include "dspm/integrators/transport/branching_path.h"
 #include "dspm/integrators/transport/light_value.h"
+#include "dspm/integrators/transport/lobe_choice.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {

@@ -7,6 +7,7 @@
 #include "dspm/base/math/frames.h"
 #include "dspm/integrators/photons/trace_photons.h"
 #include "dspm/integrators/transport/direct_light.h"
+#include "dspm/integrators/transport/lobe_choice.h"
 #include "dspm/integrators/transport/mixed_frames.h"
 #include "dspm/integrators/transport/path_step.h"
 #include "dspm/world/scene/scene.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "dspm/base/math/vec.h"
+#include "dspm/integrators/transport/lobe_choice.h"
 #include "dspm/integrators/transport/path_step.h"
 
 namespace dspm {

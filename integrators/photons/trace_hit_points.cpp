@@ -14,6 +14,7 @@
 #include "dspm/integrators/transport/balance.h"
 #include "dspm/integrators/transport/branching_path.h"
 #include "dspm/integrators/transport/joint_path.h"
+#include "dspm/integrators/transport/lobe_choice.h"
 #include "dspm/integrators/transport/parted_paths.h"
 #include "dspm/world/scene/scene.h"
 
@@ -95,9 +96,10 @@ class HitPointTracer {
     if ((path.indirect && !path.looks) || (render_.transparent && path.bounces == 0)) return;
     for_each_escape(scene_, frames, path.ray, path.bounces,
                     [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
-                      const float weight = path.looks ? weight_of_look(path, scene_light, light,
-                                                                       {{path.from, -path.ray.direction}, {}, -1})
-                                                      : weight_of_escape(scene_, path, scene_light, light);
+                      const float weight = path.looks
+                                               ? light_.weight_of_scattered(path, scene_light, light,
+                                                                            {{path.from, -path.ray.direction}, {}, -1})
+                                               : weight_of_escape(scene_, path, scene_light, light);
                       out_.see(path, lit, radiance * weight, [&] { return light_element(scene_, scene_light); });
                     });
   }
@@ -145,10 +147,10 @@ class HitPointTracer {
   void see_emission(const CameraPath& path, const Vertex& vertex) {
     for_each_emission(scene_, vertex, vertex.frames, [&](FrameSet frames, const Rgb& radiance, const Light& light) {
       const SceneLight& scene_light = scene_.lights[static_cast<std::size_t>(vertex.shape.light)];
-      const float weight = path.looks
-                               ? weight_of_look(path, scene_light, light,
-                                                {{vertex.point.p, vertex.wo}, vertex.point.ng, vertex.hit.primitive})
-                               : weight_of_hit(scene_, path, vertex, light);
+      const float weight =
+          path.looks ? light_.weight_of_scattered(path, scene_light, light,
+                                                  {{vertex.point.p, vertex.wo}, vertex.point.ng, vertex.hit.primitive})
+                     : weight_of_hit(scene_, path, vertex, light);
       out_.see(path, frames, radiance * weight, [&] { return vertex.emitter_element(); });
     });
   }
@@ -220,13 +222,11 @@ class HitPointTracer {
     fn(*sample);
   }
 
-  bool looks_for_lights() const { return settings_.direct != nullptr && settings_.direct->scatters(); }
-
   /// Calls fn(const BsdfSample&) if a ray that is scattered at the hit point looks for lights, or goes on.
   template <class Fn>
   void sample_further(const CameraPath& path, const Vertex& vertex, const Bsdf& bsdf, const LobeChoice& choice,
                       Fn&& fn) {
-    if (!settings_.go_on && !looks_for_lights()) return;
+    if (!settings_.go_on && !light_.scatters()) return;
     const auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::radiance, choice.lobes);
     const bool in_vain = !settings_.go_on && sample && bsdf.enters(sample->wi);  // no light is seen inside a body
     if (!sample || in_vain) return;
@@ -240,14 +240,9 @@ class HitPointTracer {
     CameraPath& branch = branches_.push(path);
     extend_ray(branch, vertex, sample);
     branch.from = vertex.point.p, branch.from_ng = vertex.point.ng;
-    branch.indirect = true, branch.looks = looks_for_lights();
+    branch.indirect = true, branch.looks = light_.scatters();
     if (!(settings_.go_on ? survives(branch, path, vertex, factors) : out_.carry(branch, vertex, factors)))
       branches_.drop();
-  }
-
-  float weight_of_look(const CameraPath& path, const SceneLight& scene_light, const Light& light,
-                       const LightStart& start) const {
-    return settings_.direct->weight_of_scattered(scene_light, light, start, {path.from, path.from_ng});
   }
 
   void extend(const CameraPath& path, const Vertex& vertex, const BsdfSample& sample,

@@ -12,6 +12,7 @@
 #include "dspm/integrators/transport/branching_path.h"
 #include "dspm/integrators/transport/joint_path.h"
 #include "dspm/integrators/transport/light_value.h"
+#include "dspm/integrators/transport/lobe_choice.h"
 
 namespace dspm {
 namespace {

@@ -116,28 +116,25 @@ def expect_view_layers():
     expect(exported(scene, "one layer")[1] == [], "a view layer that is not rendered is not exported")
 
 
-def fog(tree):
-    scatter, output = tree.nodes.new("ShaderNodeVolumeScatter"), tree.get_output_node("ALL")
-    tree.links.new(scatter.outputs[0], output.inputs["Volume"])
-
-
 def expect_fog():
-    """A box of fog hides nothing, and is named."""
-    scene = begin()
+    """A box of fog takes what Beer's law says of the sky; the world's fog is around it, and adds to it."""
+    scene = begin(camera=(0, 0, 5))
     scenes.sky((.5, .25, 1, 1), 1)
+    bpy.ops.mesh.primitive_cube_add(size=2)
+    bpy.context.object.data.materials.append(scenes.volume("fog", "Absorption", Color=(.5, .8, 1, 1), Density=0.6))
+    path, notes = exported(scene, "fog")
+    middle = rendered(path, 200)[0]
+    rows, columns = (length // 2 for length in middle.shape[:2])
+    left = np.exp(-2 * 0.6 * (1 - np.array((.5, .8, 1))))
+    expect(np.allclose(middle[rows - 2:rows + 2, columns - 2:columns + 2].mean(axis=(0, 1)), (.5, .25, 1) * left, rtol=0.03),
+           "a box of fog takes a part of the sky's light")
+    expect(notes == [], f"nothing is left out: {notes}")
     world = scene.world.node_tree
     world.links.new(world.nodes.new("ShaderNodeVolumeScatter").outputs[0], world.nodes["World Output"].inputs["Volume"])
-    bpy.ops.mesh.primitive_cube_add(size=20)
-    box = bpy.data.materials.new("fog")
-    box.use_nodes = True
-    box.node_tree.nodes.clear()
-    box.node_tree.nodes.new("ShaderNodeOutputMaterial")
-    fog(box.node_tree)
-    bpy.context.object.data.materials.append(box)
-    path, notes = exported(scene, "fog")
-    expect(np.allclose(rendered(path)[0], (.5, .25, 1), rtol=1e-3), "fog lets the sky through")
-    expect(any('material "fog"' in note and "without a surface" in note for note in notes), f"fog is named: {notes}")
-    expect('world "sky": its volume is left out' in notes, f"fog of the world is named: {notes}")
+    path, notes = exported(scene, "world fog")
+    text = text_of(path)
+    expect('MediumInterface "world"' in text and 'MediumInterface "inside fog" "world"' in text, "fog of the world is around all")
+    expect(notes == [], f"nothing is left out: {notes}")
 
 
 # ACEScg to linear Rec. 709 by Bradford's adaptation (ACES TB-2014-004, colour-science.org).

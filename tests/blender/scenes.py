@@ -1,8 +1,11 @@
 """Scenes made by script in Blender, one function each. Each takes Blender's empty scene and leaves one to render."""
+import gzip
 import math
+import os
 
 import bpy
 import numpy as np
+from mathutils import Vector
 
 from scene_parts import bsdf, empty, image, lamp, material, plane, sky, texture
 
@@ -298,4 +301,81 @@ def layers():
     sky((.6, .7, .9, 1), 0.5)
 
 
-ALL = (startup, lamps, glass_monkey, waves, instances, pictures, hair, moving, painted, wax, turned, *((layers,) if SINCE_4 else ()))
+def volume(name, kind, surface=None, **inputs):
+    """A material whose volume is that node; inputs by name."""
+    made = bpy.data.materials.new(name)
+    made.use_nodes = True
+    tree = made.node_tree
+    tree.nodes.clear()
+    output = tree.nodes.new("ShaderNodeOutputMaterial")
+    node = tree.nodes.new(f"ShaderNodeVolume{kind}")
+    for key, value in inputs.items():
+        node.inputs[key].default_value = value
+    tree.links.new(node.outputs[0], output.inputs["Volume"])
+    if surface:
+        tree.links.new(surface(tree).outputs[0], output.inputs["Surface"])
+    return made
+
+
+def smoky():
+    """Balls of smoke, of light that glows, and of milk in glass."""
+    empty(camera=(0, -7, 2), target=(0, 0, 0.8), lens=45)
+    plane(30, material("ground", lambda tree: bsdf(tree, "Diffuse", Color=(.5, .5, .5, 1))))
+    paints = (volume("smoke", "Principled", Color=(.8, .6, .4, 1), Density=1.5, Anisotropy=0.4, **{"Absorption Color": (.2, .1, 0, 1)}),
+              volume("glow", "Principled", Color=(.2, .3, .5, 1), Density=0.8, **{"Emission Strength": 0.5, "Emission Color": (1, .5, .2, 1)}),
+              volume("milk", "Scatter", lambda tree: bsdf(tree, "Glass", IOR=1.3, Roughness=0.0), Color=(.9, .8, .7, 1), Density=2))
+    for i, paint in enumerate(paints):
+        bpy.ops.mesh.primitive_uv_sphere_add(segments=48, ring_count=24, radius=0.8, location=(1.8 * (i - 1), 0, 0.9))
+        bpy.ops.object.shade_smooth()
+        bpy.context.object.data.materials.append(paint)
+    lamp("AREA", (2, -2, 4), 500, turn=(0.5, 0.5, 0), size=2)
+    sky((.6, .7, .9, 1), 0.4)
+
+
+def foggy():
+    """A world full of fog, and a ball of smoke in it."""
+    empty(camera=(0, -6, 1.5), target=(0, 0, 0.8), lens=45)
+    plane(30, material("ground", lambda tree: bsdf(tree, "Diffuse", Color=(.6, .5, .4, 1))))
+    lamp("AREA", (0, 0, 5), 400, size=1)
+    sky((0, 0, 0, 1), 1)
+    tree = bpy.context.scene.world.node_tree
+    fog = tree.nodes.new("ShaderNodeVolumeScatter")
+    fog.inputs["Color"].default_value, fog.inputs["Density"].default_value = (.8, .9, 1, 1), 0.08
+    tree.links.new(fog.outputs[0], tree.nodes["World Output"].inputs["Volume"])
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=48, ring_count=24, radius=0.7, location=(-1.2, 0, 0.9))
+    bpy.context.object.data.materials.append(volume("smoke", "Scatter", Color=(.9, .5, .3, 1), Density=1.5))
+
+
+def cloud():
+    """A file of a cloud, turned, over a floor."""
+    empty(camera=(0, -6, 1.5), target=(0, 0, 0.8), lens=45)
+    plane(30, material("ground", lambda tree: bsdf(tree, "Diffuse", Color=(.6, .5, .4, 1))))
+    lamp("AREA", (2, -2, 4), 500, turn=(0.5, 0.5, 0), size=2)
+    sky((.6, .7, .9, 1), 0.4)
+    bpy.ops.object.volume_import(filepath=cloud_file(), align="WORLD", location=(0, 0, 0))
+    block = bpy.context.object
+    block.data.materials.append(volume("cloud", "Principled", Color=(.8, .8, .9, 1), Density=1.0))
+    block.rotation_euler = (0.3, 0.2, 0.5)
+    place(block, 1.6, (0, 0, 1.1))
+
+
+def cloud_file():
+    """The block that dspm's own tests read, unpacked."""
+    packed = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../media/block.vdb.gz")
+    path = os.path.join(bpy.app.tempdir, "block.vdb")
+    with gzip.open(packed) as source, open(path, "wb") as file:
+        file.write(source.read())
+    return path
+
+
+def place(object, size, center):
+    """Scales the object to that size, and moves its box's middle there."""
+    bpy.context.view_layer.update()
+    corners = [Vector(corner) for corner in object.bound_box]
+    middle = sum(corners, Vector()) / 8
+    object.scale = (size / max(object.dimensions),) * 3
+    turned_middle = object.rotation_euler.to_matrix() @ (middle * object.scale.x)
+    object.location = Vector(center) - turned_middle
+
+
+ALL = (startup, lamps, glass_monkey, waves, instances, pictures, hair, moving, painted, wax, turned, smoky, foggy, cloud, *((layers,) if SINCE_4 else ()))

@@ -9,10 +9,10 @@
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/vec.h"
-#include "dspm/integrators/methods/vcm/phase_bsdf.h"
 #include "dspm/integrators/methods/vcm/subpath_weights.h"
 #include "dspm/integrators/transport/medium_vertex.h"
 #include "dspm/integrators/transport/path_step.h"
+#include "dspm/integrators/transport/phase_bsdf.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {

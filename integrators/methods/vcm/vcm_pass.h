@@ -6,9 +6,11 @@
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/vec.h"
 #include "dspm/integrators/integrator.h"
 #include "dspm/integrators/methods/vcm/subpath_weights.h"
 #include "dspm/integrators/photons/emission_guide.h"
+#include "dspm/integrators/transport/lobe_choice.h"
 #include "dspm/integrators/transport/path_step.h"
 #include "dspm/world/scene/scene.h"
 
