@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include "dspm/base/math/frames.h"
@@ -17,22 +18,22 @@
 namespace dspm {
 namespace {
 
-/// The boxes of all that may move, by frame and object.
-std::map<std::pair<Frame, int>, Bounds3> boxes_of(const Scene& scene) {
-  std::map<std::pair<Frame, int>, Bounds3> boxes;
-  for (const PlacedShape& shape : scene.shapes) {
-    if (!shape.moves) continue;
+/// Returns the boxes of all that may move, by frame, object and the number of the object's shape.
+std::map<std::tuple<Frame, int, int>, Bounds3> boxes_of(const World& world, std::span<const FileFrame> frames) {
+  std::map<std::tuple<Frame, int, int>, Bounds3> boxes;
+  std::map<std::pair<Frame, int>, int> counts;
+  for (const PlacedShape& shape : world.moving_shapes(frames)) {
     Bounds3 box;
     for (int i = 0; i < shape.shape->primitive_count(); ++i) box.add(shape.bounds(i));
-    shape.frames.for_each([&](Frame f) { boxes[{f, shape.object}].add(box); });
+    shape.frames.for_each([&](Frame f) { boxes[{f, shape.object, counts[{f, shape.object}]++}] = box; });
   }
   return boxes;
 }
 
-/// Returns how many of its own widths anything passes from one scene to the other. The width is the middle one of the three
+/// Returns how many of its own widths anything passes from one world to the other. The width is the middle one of the three
 /// sides of its box: that of a rod is its thickness, that of a plate not.
-double widths_passed(const Scene& first, const Scene& last) {
-  const auto begin = boxes_of(first), end = boxes_of(last);
+double widths_passed(const World& first, const World& last, std::span<const FileFrame> frames) {
+  const auto begin = boxes_of(first, frames), end = boxes_of(last, frames);
   double most = 0;
   for (const auto& [which, box] : begin) {
     const auto found = end.find(which);
@@ -45,11 +46,12 @@ double widths_passed(const Scene& first, const Scene& last) {
 }
 
 /// Returns how far the picture's middle turns, in pixels there.
-double pixels_turned(const Scene& first, const Scene& last, const RenderSettings& render) {
+double pixels_turned(const World& first, const World& last, std::span<const FileFrame> frames,
+                     const RenderSettings& render) {
   const Vec2 middle{static_cast<float>(render.width) / 2, static_cast<float>(render.height) / 2}, lens{0.5f, 0.5f};
   double most = 0;
-  for (const auto& begin : first.camera.states)
-    for (const auto& end : last.camera.states) {
+  for (const auto& begin : first.cameras(frames).states)
+    for (const auto& end : last.cameras(frames).states) {
       if ((begin.frames & end.frames).empty()) continue;
       const Vec3 from = begin.object->ray(middle, lens).direction, to = end.object->ray(middle, lens).direction;
       const float pixel = begin.object->pixel_spacing(1) - begin.object->pixel_spacing(0);
@@ -68,14 +70,13 @@ double delay_of(int iteration, const Shutter& shutter, const RenderSettings& ren
   return shutter.open + (shutter.close - shutter.open) * static_cast<double>(u);
 }
 
-std::vector<std::string> explain_shutter(const Job& job, const World& world) {
+std::vector<std::string> explain_shutter(const Job& job) {
   if (!job.shutter.delays()) return {};
   std::vector<std::string> moves = what_moves(*job.description);
   if (moves.empty()) moves.emplace_back("meshes with velocities");
-  const int moments = moments_of_an_iteration(job, world);
   const std::string times =
-      moments == 1 ? "one time of it"
-                   : fmt::format("{} times of it, each to a part of the pixels, as something is fast", moments);
+      job.moments == 1 ? "one time of it"
+                   : fmt::format("{} times of it, each to a part of the pixels, as something is fast", job.moments);
   return {fmt::format(
       "shutter: open from {} to {} frames after each frame's moment; meanwhile {} may change. Each iteration "
       "shows {}, the same in all frames.",
@@ -88,22 +89,20 @@ int moments_of_an_iteration(const Job& job, const World& world) {
   if (!job.shutter.delays() || !job.plugin->sees_moments) return 1;
   const std::vector<FileFrame> frames = world.sample_frames();
   const std::unique_ptr<const World> opening = world.after(job.shutter.open), closing = world.after(job.shutter.close);
-  const std::unique_ptr<const Scene> first = opening->scene(frames), last = closing->scene(frames);
-  const double needed =
-      std::max(widths_passed(*first, *last) / kWidths, pixels_turned(*first, *last, job.settings) / kPixels);
+  const double needed = std::max(widths_passed(*opening, *closing, frames) / kWidths,
+                                 pixels_turned(*opening, *closing, frames, job.settings) / kPixels);
   // Of sixteen iterations each width of the way then sees two moments; their number is odd, see Exposure::iteration().
   return needed <= 1 ? 1 : std::min(kMost, 2 * static_cast<int>(std::ceil(std::min(needed, 4.) - 0.5)) + 1);
 }
 
 Iteration Exposure::iteration(int number) {
   if (!job_.shutter.delays()) return {number, scene_};
-  if (!count_) count_ = moments_of_an_iteration(job_, world_);
   const double delay = delay_of(number, job_.shutter, job_.settings), length = job_.shutter.close - job_.shutter.open;
   later_.clear(), moments_.clear();
-  for (int moment = 0; moment < *count_; ++moment) {
+  for (int moment = 0; moment < job_.moments; ++moment) {
     // Each pixel's times are as even as those of one moment: they are the same, turned around the shutter. As the number of
     // moments is odd, they divide the gaps evenly that 8, 16, 32, ... iterations leave.
-    const double share = (delay - job_.shutter.open) / length + moment / (8. * *count_);
+    const double share = (delay - job_.shutter.open) / length + moment / (8. * job_.moments);
     Later& later = later_.emplace_back();
     later.world = world_.after(moment == 0 ? delay : job_.shutter.open + length * (share - std::floor(share)));
     later.scene = later.world->scene(scene_.file_frames, &scene_);

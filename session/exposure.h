@@ -4,7 +4,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,12 +19,12 @@ namespace dspm {
 double delay_of(int iteration, const Shutter& shutter, const RenderSettings& render);
 
 /// Returns how many moments of the shutter an iteration shows: several if something passes more than sixteen times its own width
-/// while the shutter is open, or the camera turns that fast, and the integrator can show them. It depends on the file and the
-/// picture's size alone.
+/// while the shutter is open, or the camera turns that fast, and the integrator can show them. It depends on the frames that
+/// stand for the file and on the picture's size alone. The job has it once it is loaded.
 int moments_of_an_iteration(const Job& job, const World& world);
 
 /// Says for --explain what blurs; nothing if nothing does.
-std::vector<std::string> explain_shutter(const Job& job, const World& world);
+std::vector<std::string> explain_shutter(const Job& job);
 
 class Exposure {
  public:
@@ -45,7 +44,6 @@ class Exposure {
     std::unique_ptr<const World> world;
     std::unique_ptr<const Scene> scene;
   };
-  std::optional<int> count_;  // of moments
   std::vector<Later> later_;  // of the latest iteration
   std::vector<const Scene*> moments_;
 };

@@ -107,6 +107,7 @@ void LoadedScene::make(const Choices& choices, Diagnostics& diagnostics, KeptGeo
   const auto& [open, close] = job.shutter;
   if (job.shutter.delays() && diagnostics.error_count() == 0)  // shows errors early
     world->after(std::abs(open) > std::abs(close) ? open : close, &diagnostics);
+  if (diagnostics.error_count() == 0) job.moments = moments_of_an_iteration(job, *world);
   job.settings.file = std::make_shared<FileSample>(
       world->sample_frames(), [world = world.get()] { return world->scene(world->sample_frames()); });
 }

@@ -14,7 +14,6 @@
 #include "dspm/base/system/readable.h"
 #include "dspm/integrators/guiding/file_sample.h"
 #include "dspm/integrators/photons/memory_needs.h"
-#include "dspm/session/exposure.h"
 #include "dspm/session/revertible.h"
 #include "dspm/session/stage.h"
 #include "dspm/world/scene/scene.h"
@@ -91,13 +90,12 @@ class MemoryBound::Trials {
         job_(job),
         world_(world),
         besides_(besides),
-        observer_(observer),
-        moments_(moments_of_an_iteration(job, world)) {}
+        observer_(observer) {}
 
   std::optional<Result> of(const FrameList& frames) {
     if (observer_.end_wanted()) throw std::runtime_error("interrupted before the first iteration");
     // Those of an iteration, beside the stage's own.
-    const std::size_t scenes = job_.shutter.delays() ? 1 + static_cast<std::size_t>(moments_) : 1;
+    const std::size_t scenes = job_.shutter.delays() ? 1 + static_cast<std::size_t>(job_.moments) : 1;
     const std::size_t before = bound_.held(), trees = scenes * world_.tree_bytes_at_most(frames);
     if (before + trees > bound_.bytes_) {
       shortage_ = fmt::format("{}: scene and program {}, trees up to {}, and more", readable_bytes(before + trees),
@@ -163,7 +161,6 @@ class MemoryBound::Trials {
   const World& world_;
   const Besides& besides_;
   const SessionObserver& observer_;
-  int moments_;  // of an iteration
   std::string shortage_;
 };
 

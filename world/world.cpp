@@ -258,6 +258,16 @@ std::string World::sampling() const {
   return fmt::format("{:016x}", digest(bytes));
 }
 
+std::vector<PlacedShape> World::moving_shapes(std::span<const FileFrame> frames) const {
+  std::vector<PlacedShape> shapes = impl_->shapes_in({frames.begin(), frames.end()});
+  std::erase_if(shapes, [](const PlacedShape& shape) { return !shape.moves; });
+  return shapes;
+}
+
+FrameStates<Camera> World::cameras(std::span<const FileFrame> frames) const {
+  return cut(impl_->camera, {frames.begin(), frames.end()});
+}
+
 bool World::has_velocities() const { return impl_->geometry.has_velocities(); }
 
 std::unique_ptr<Scene> World::scene(std::span<const FileFrame> frames, const Scene* sooner) const {

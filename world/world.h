@@ -53,6 +53,9 @@ class World {
   /// Returns the directive that an element of scene(frames) comes from, in its frame j.
   const PluginUse& use_of(const SceneElement& element, std::span<const FileFrame> frames, Frame j) const;
   CameraMatrices camera_matrices(FileFrame frame) const;
+  /// What may be elsewhere in after() worlds, and the cameras, without a scene around them. The world outlives them.
+  std::vector<PlacedShape> moving_shapes(std::span<const FileFrame> frames) const;
+  FrameStates<Camera> cameras(std::span<const FileFrame> frames) const;
   /// The number of pictures in memory for textures: those of this world's scenes, and those that the world keeps.
   int pictures_held() const;
   /// Returns an upper estimate of the bytes that the trees of that scene take while it is made, without making it.

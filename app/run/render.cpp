@@ -27,7 +27,7 @@ void explain(const LoadedScene& loaded, Render& render, Messages& messages) {
     for (const std::string& line : lines) print_message(fmt::format("{}\n", line));
   };
   print(explain_intervals(*loaded.world, render.intervals()));
-  print(explain_shutter(loaded.job, *loaded.world));
+  print(explain_shutter(loaded.job));
   render.step_begins("learning where photons start", in_words("integrator", loaded.job.integrator));
   print(explain_photons(loaded, render.intervals().front(), messages));
 }

@@ -86,19 +86,24 @@ std::string fault_of_python() {
 }  // namespace
 
 std::vector<OptionalPart> built_parts() {
+  const auto in_library = [](const char* name, const char* use, const char* source, bool is_built) {
+    return OptionalPart{name, use, source, [is_built] { return unless(is_built, kNotBuiltIn); }, is_built};
+  };
+  const auto in_module = [](const char* name, const char* use, const char* source, bool is_built, auto* fault) {
+    return OptionalPart{name, use, source, [=] { return is_built ? fault() : std::string(kNotBuiltIn); }, is_built};
+  };
   return {
-      {"Draco", "glTF meshes that it has compressed", "libdraco-dev, when dspm is built",
-       [] { return unless(gltf::reads_draco(), kNotBuiltIn); }},
-      {"meshoptimizer", "glTF buffers that it has compressed", "libmeshoptimizer-dev, when dspm is built",
-       [] { return unless(gltf::reads_meshopt(), kNotBuiltIn); }},
-      {"NanoVDB", "media of .nvdb files", "libnanovdb-dev, when dspm is built",
-       [] { return unless(reads_nanovdb(), kNotBuiltIn); }},
-      {"OpenVDB", "media of .vdb files", "libopenvdb-dev, when dspm is built",
-       [] { return has_openvdb_module() ? fault_of_openvdb_module() : kNotBuiltIn; }},
-      {"OpenColorIO", "--view ocio", "libopencolorio-dev, when dspm is built with -DDSPM_OCIO=ON",
-       [] { return unless(knows_ocio(), kNotBuiltIn); }},
-      {"MPI", "mpirun -n 16 dspm: several machines together", "openmpi-bin; libopenmpi-dev, when dspm is built",
-       [] { return has_mpi_module() ? fault_of_mpi_module() : kNotBuiltIn; }},
+      in_library("Draco", "glTF meshes that it has compressed", "libdraco-dev, when dspm is built",
+                 gltf::reads_draco()),
+      in_library("meshoptimizer", "glTF buffers that it has compressed", "libmeshoptimizer-dev, when dspm is built",
+                 gltf::reads_meshopt()),
+      in_library("NanoVDB", "media of .nvdb files", "libnanovdb-dev, when dspm is built", reads_nanovdb()),
+      in_module("OpenVDB", "media of .vdb files", "libopenvdb-dev, when dspm is built", has_openvdb_module(),
+                fault_of_openvdb_module),
+      in_library("OpenColorIO", "--view ocio", "libopencolorio-dev, when dspm is built with -DDSPM_OCIO=ON",
+                 knows_ocio()),
+      in_module("MPI", "mpirun -n 16 dspm: several machines together",
+                "openmpi-bin; libopenmpi-dev, when dspm is built", has_mpi_module(), fault_of_mpi_module),
   };
 }
 

@@ -12,6 +12,7 @@ struct OptionalPart {
   std::string use;                     // what it is for
   std::string source;                  // the Debian packages that bring it, or where else it comes from
   std::function<std::string()> fault;  // why it cannot be used; empty: it can
+  bool is_built = true;                // the build has it; nothing of it is loaded to know that
 };
 
 /// Returns the parts that a build has or lacks.

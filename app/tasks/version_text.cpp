@@ -27,7 +27,7 @@ std::string build_in_words() {
 
 std::string version_text() {
   std::vector<std::string> has, lacks;
-  for (const OptionalPart& part : built_parts()) (part.fault().empty() ? has : lacks).push_back(part.name);
+  for (const OptionalPart& part : built_parts()) (part.is_built ? has : lacks).push_back(part.name);
   std::string text = fmt::format("dspm {}\nbuilt by: {}\nEmbree: {}\n", kVersion, build_in_words(), embree_version());
   if (!has.empty()) text += fmt::format("with: {}\n", fmt::join(has, ", "));
   if (!lacks.empty()) text += fmt::format("without: {} (dspm --doctor says what brings it)\n", fmt::join(lacks, ", "));

@@ -66,20 +66,21 @@ class PathTracer {
 
   void collided(const CameraPath& arriving, const MediumVertex& vertex) {
     if (arriving.bounces >= limits_.max_depth || arriving.indirect) return;
+    CameraPath here = arriving;
+    here.collide();
+    add_direct_light(here, vertex);
+    here.travel(vertex.distance);
     for (const MediumVertex::State& state : vertex.states) {
-      CameraPath path = arriving;
-      path.of_media |= path.bounces == 0;
+      CameraPath path = here;
       path.frames = state.frames & arriving.frames;
       if (path.frames.empty()) continue;
-      add_direct_light(path, vertex, state);
-      path.travel(vertex.distance);
       scatter(path, vertex, state);
     }
   }
 
   void glowed(const CameraPath& passing, FrameSet frames, const Rgb& radiance) {
     CameraPath path = passing;
-    path.of_media |= path.bounces == 0;
+    path.collide();
     add(path, path.bounces, frames, path.throughput * radiance,
         [&] { return glow_element(scene_, path.inside.medium); });
   }
@@ -124,10 +125,14 @@ class PathTracer {
     return f * balance(sample.pdf_w, bsdf.pdf_w(vertex.wo, sample.lit.wi, Transport::radiance, all));
   }
 
-  void add_direct_light(const CameraPath& path, const MediumVertex& vertex, const MediumVertex::State& state) {
-    const auto scattered = [&](const LightSample& sample) {
-      const float phase = state.phase.pdf_w(-vertex.wo, sample.lit.wi);
-      return state.albedo * phase * (sample.pdf_w > 0 ? balance(sample.pdf_w, phase) : 1);
+  void add_direct_light(const CameraPath& path, const MediumVertex& vertex) {
+    const auto scattered = [&](FrameSet of, const LightSample& sample, auto&& take) {
+      for (const MediumVertex::State& state : vertex.states) {
+        const FrameSet common = state.frames & of;
+        if (common.empty()) continue;
+        const float phase = state.phase.pdf_w(-vertex.wo, sample.lit.wi);
+        take(common, state.albedo * phase * (sample.pdf_w > 0 ? balance(sample.pdf_w, phase) : 1));
+      }
     };
     sample_direct_light(scene_, path, vertex, path.frames, counts_, scattered,
                         [&](FrameSet lit, const Rgb& radiance, auto&& giver) {

@@ -1,9 +1,10 @@
 // Integrator "photonmap" "integer photons" 1000000 "integer causticphotons" 1000000 "integer nearest" 100
 //
-// Two-pass photon mapping [Jensen 1996] for all frames together: a map of caustic photons (light, smooth lobes, rough
-// lobe) and a global one are made once, or for each iteration while the shutter is open; every iteration then traces one
-// more camera path per pixel, with direct light by shadow rays, caustics from their map, and the rest from the global map, by default at the hit point itself, or
-// through final gather rays, which scatter at most four times off smooth lobes. Biased: the maps' blur remains.
+// Two-pass photon mapping [Jensen 1996] for all frames together: a map of caustic photons (light, smooth lobes, rough lobe)
+// and a global one are made once, or for each iteration while the shutter is open; every iteration then traces one more camera
+// path per pixel, with direct light by shadow rays, caustics from their map, and the rest from the global map, by default at the
+// hit point itself, or through final gather rays, which scatter at most four times off smooth lobes. Biased: the maps' blur
+// remains.
 // Parameters: see make_photonmap below.
 #include <fmt/format.h>
 

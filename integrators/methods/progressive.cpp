@@ -93,23 +93,28 @@ class Progressive final : public Integrator {
     go_to_radius_of(statistics_.iterations);
   }
 
-  // [WG12 4] Photons and hit points meet in the same moment. Of several, each has its part of the photons.
+  // [WG12 4] Photons and hit points meet in the same moment. Of several, each has its part of the photons, unless there are
+  // fewer of them.
   void show_moment(const Scene& scene, const MomentPixels& pixels, int number) {
     const ProgressiveSettings& how = ways_.of_iteration(scene, radius_);
     HitPointSettings hit_point = how.hit_point;
     hit_point.pixels = pixels;
     trace_camera_paths(scene, hit_point, number);
     const float cell_size = mean_search_radius(scene);
-    const std::int64_t begin = how.traced * pixels.moment / pixels.count,
-                       end = how.traced * (pixels.moment + 1) / pixels.count;
+    const bool shared_out = how.traced >= pixels.count;
+    const std::int64_t begin = shared_out ? how.traced * pixels.moment / pixels.count : 0,
+                       end = shared_out ? how.traced * (pixels.moment + 1) / pixels.count : how.traced;
+    const double share = end > begin ? static_cast<double>(end - begin) / static_cast<double>(how.traced) : 1;
     PhotonSettings photon = how.photon;
-    if (end > begin)
-      photon.flux *= static_cast<float>(static_cast<double>(how.traced) / static_cast<double>(end - begin));
+    photon.flux = static_cast<float>(photon.flux / share);
     for (std::int64_t first = begin; first == begin || first < end; first += batches_.size) {
       trace_light_paths(scene, photon, number, first, std::min(first + batches_.size, end));
+      for (PhotonTrace& trace : traces_)
+        for (EnergyBalance& energy : trace.energy) energy = energy * share;  // of that of all photons
+      account(traces_, statistics_);
       build_photon_map(scene, cell_size);
       if (first == begin) see_lights();  // not before: if memory ends, it mostly has by now, and no pixel has changed
-      gather_photons();
+      gather_photons(pixels.moment == 0);
     }
   }
 
@@ -140,7 +145,6 @@ class Progressive final : public Integrator {
                          std::int64_t end) {
     const StepTimer timer(statistics_.steps[kPhotons]);
     traces_ = trace_photons(scene, settings, static_cast<std::uint64_t>(iteration), first, end, std::move(traces_));
-    account(traces_, statistics_);
   }
 
   void build_photon_map(const Scene& scene, float cell_size) {
@@ -156,14 +160,14 @@ class Progressive final : public Integrator {
   }
 
   // [WG12 4.3] Those that look at the estimators' radii come before them: hj09 shrinks them as it gathers.
-  void gather_photons() {
+  void gather_photons(bool is_first_part) {
     const StepTimer timer(statistics_.steps[kStatistics]);
     BatchCounts counts(tiles_.size());
     for (auto sink = sinks_.list.rbegin(); sink != sinks_.list.rend(); ++sink)
       (*sink)->gather({tiles_, map_, hidden_, in_media_}, counts);
     account(counts.hidden, statistics_);
     account(counts.photons, statistics_);
-    typical_.add(counts.photons);
+    typical_.add(counts.photons, is_first_part);
     statistics_.bytes = std::max(statistics_.bytes, bytes());
   }
 

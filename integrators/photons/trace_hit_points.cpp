@@ -110,7 +110,7 @@ class HitPointTracer {
   void beamed(const CameraPath& passing, const MediumSection& section) {
     if (passing.indirect) return;
     CameraPath path = passing;
-    path.of_media = path.bounces == 0;
+    path.collide();
     out_.add_beam(path, section), light_.add(path, section);
   }
 

@@ -40,9 +40,9 @@ class TypicalHitPoints {
     return count > 0 ? sum / count : 0;
   }
 
-  /// Call this after a gather at all hit points.
-  void add(std::span<const GatherCounts> counts) {
-    ++rounds_;
+  /// Call this after a gather at all hit points, or at a part of them that is not the first.
+  void add(std::span<const GatherCounts> counts, bool is_first_part) {
+    rounds_ += is_first_part;
     for (std::size_t t = 0; t < counts.size(); ++t)
       found_[t] += counts[t].found.separate, gathers_[t] += counts[t].gathers.separate;
   }

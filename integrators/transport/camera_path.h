@@ -39,6 +39,8 @@ struct CameraPath : PathState {
   void arrive(const Scene& scene, const Vertex& vertex) {
     if (bounces == 0) caught = scene.is_catcher(vertex.hit.shape);
   }
+  /// Call this at each collision with a medium.
+  void collide() { of_media |= bounces == 0; }
   /// The surface that it has left, as a receiver of light that it meets.
   LightReceiver departure() const { return {from, from_ng}; }
   /// Call this when the path has passed through its segment.

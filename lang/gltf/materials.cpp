@@ -225,6 +225,7 @@ class MaterialTranslator {
       scattered[c] = all * (1 - s * s) / (1 - g * s * s), absorbed[c] = std::max(0.0, all - scattered[c]);
     }
     if (scattered == Triple{0, 0, 0}) return false;
+    if (form_.is_keyed) note("what is inside of bodies (KHR_materials_volume_scatter) is that of the first frame");
     result_.medium = Statement{"\"homogeneous\""};
     result_.medium->rgb("sigma_a", absorbed), result_.medium->rgb("sigma_s", scattered);
     result_.medium->number("g", g, 0);

@@ -30,6 +30,7 @@ struct Job {
   bool numbered = false;                          // image names contain the frame's number
   double fps = 0;                                 // 0: no animation
   Shutter shutter;                                // without delays if nothing can move
+  int moments = 1;                                // of the shutter that an iteration shows, see session/exposure.h
   FilmSettings film;
   float exposure = 1;                // image values over radiance
   std::vector<std::string> outputs;  // to be written next to radiance

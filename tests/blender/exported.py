@@ -129,11 +129,21 @@ def expect_fog():
     expect(np.allclose(middle[rows - 2:rows + 2, columns - 2:columns + 2].mean(axis=(0, 1)), (.5, .25, 1) * left, rtol=0.03),
            "a box of fog takes a part of the sky's light")
     expect(notes == [], f"nothing is left out: {notes}")
+    bpy.context.object.scale = (8, 8, 8)  # around the camera, and a lamp
+    scenes.lamp("POINT", (0, 3, 0), 100)
+    path, notes = exported(scene, "in fog")
+    text = text_of(path)
+    expect(text.index('MediumInterface "inside fog"\n') < text.index("Camera") and text.count('MediumInterface "inside fog"\n') == 2,
+           "the camera and a lamp in a box of fog are in it")
+    left = np.exp(-(5 + 8) * 0.6 * (1 - np.array((.5, .8, 1))))
+    expect(np.allclose(rendered(path, 200)[0][rows - 2:rows + 2, columns - 2:columns + 2].mean(axis=(0, 1)), (.5, .25, 1) * left,
+                       rtol=0.1), "and see the sky through it")
+    bpy.context.object.scale = (1, 1, 1)
     world = scene.world.node_tree
     world.links.new(world.nodes.new("ShaderNodeVolumeScatter").outputs[0], world.nodes["World Output"].inputs["Volume"])
     path, notes = exported(scene, "world fog")
     text = text_of(path)
-    expect('MediumInterface "world"' in text and 'MediumInterface "inside fog" "world"' in text, "fog of the world is around all")
+    expect('MediumInterface "world"\n' in text and 'MediumInterface "inside fog" "world"' in text, "fog of the world is around all")
     expect(notes == [], f"nothing is left out: {notes}")
 
 

@@ -123,8 +123,7 @@ DynamicEnd
 }
 
 std::vector<std::string> explained(const std::string& text) {
-  const TestScene test(text);
-  return explain_shutter(test.job(), test.world());
+  return explain_shutter(TestScene(text).job());
 }
 
 TEST(SharpBlocks, LeaveTheShutterClosedIfNothingElseMoves) {

@@ -102,7 +102,7 @@ class CameraSubpathTracer {
   void collided(const CameraSubpath& path, const MediumVertex& vertex) {
     CameraSubpath here = path;
     here.travel(vertex.distance);
-    here.of_media |= here.bounces == 0;
+    here.collide();
     here.weights = weights_on_arrival(path, vertex);
     scatter_light(here, vertex);
   }
@@ -110,7 +110,7 @@ class CameraSubpathTracer {
   /// Nothing else finds what media give off: no light subpath starts there.
   void glowed(const CameraSubpath& passing, FrameSet frames, const Rgb& radiance) {
     CameraSubpath path = passing;
-    path.of_media |= path.bounces == 0;
+    path.collide();
     const SceneElement giver = glow_element(scene_, path.inside.medium);
     add(path, {frames, radiance, nullptr, light_of(giver)}, [&] { return giver; });
   }

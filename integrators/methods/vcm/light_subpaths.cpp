@@ -47,7 +47,8 @@ class LightPathTracer {
   void start(std::size_t choice, const PathRandom& random) {
     const EmissionStart chosen = start_of(pass_.guides, scene_, choice, random);
     if (chosen.density == 0) return;
-    if (scene_.lights[static_cast<std::size_t>(chosen.light)].glow.medium != kNoMedium) return;  // camera paths see it
+    const SceneLight& of = scene_.lights[static_cast<std::size_t>(chosen.light)];
+    if (of.is_drowned || of.glow.medium != kNoMedium) return;  // camera paths see what glows
     for (const PhotonStart& start : starts_.of(choice, chosen.light)) {
       // States that would start alike with other densities than their own part.
       if (start.varied == nullptr)
@@ -262,7 +263,7 @@ class LightPathTracer {
                           out_.strands.of(light.strands), part.frames & open, [&](FrameSet frames, const Rgb& weight) {
                             if (!frames.empty())
                               out_.splats.push_back({sight.film, frames, part.factor * weight * transmittance,
-                                                     light_index_, is_caught(scene_, place)});
+                                                     light_index_, is_caught(scene_, place), light.medium != kNoMedium});
                           });
                   });
   }

@@ -35,7 +35,8 @@ void add(const Splat& splat, const RenderSettings& render, int y0, int y1, SeenL
       const Vec2 centre{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
       const float density = filter.density(splat.film - centre);
       if (density > 0)
-        sums.add({splat.frames, splat.radiance * density, pixel_in_crop(render.crop, x, y), splat.light, splat.caught});
+        sums.add({splat.frames, splat.radiance * density, pixel_in_crop(render.crop, x, y), splat.light, splat.caught,
+                  splat.of_media});
     }
 }
 

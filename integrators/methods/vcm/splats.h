@@ -18,6 +18,7 @@ struct Splat {
   Rgb radiance;  // of a pixel that sees this place only, for one pixel of film
   int light;     // the light that it comes from: an index of the scene
   bool caught;   // the place is on a shadow catcher
+  bool of_media;
 };
 
 /// Returns whether a pixel of the crop sees the place.

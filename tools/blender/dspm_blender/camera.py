@@ -31,6 +31,10 @@ class Camera:
         self.matrices_between.append((time, FLIP @ unscaled(camera.matrix_world).inverted()))
         self.states_between.append((time, self._directive(camera, scene).with_params(self.shutter)))
 
+    def place(self):
+        """Where it is in the first frame."""
+        return self.matrices[0][1].inverted().translation
+
     def lines(self):
         return [*pose(near(self.matrices, self.matrices_between)), over_frames(near(self.states, self.states_between), self.notes)]
 

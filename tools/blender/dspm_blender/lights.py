@@ -11,7 +11,7 @@ from mathutils import Matrix
 from .blocks import in_block, placed
 from .camera import unscaled
 from .colours import constant_colour
-from .directive import Directive, over_frames
+from .directive import Directive, over_frames, quoted
 from .light_groups import light_group
 from .versions import POWER_OF_AREA
 
@@ -27,6 +27,7 @@ class Light:
         """`block` is the Dynamic block that it comes and goes with, or None."""
         self.name, self.notes, self.block = name, notes, block
         self.matrices, self.lights, self.shapes, self.between = [], [], [], []
+        self.medium = None  # the name of what it stands in, if that is not what is around all
 
     def see(self, frame, instance):
         light = instance.object.data
@@ -72,10 +73,11 @@ class Light:
 
     def _inside(self, frames):
         among = lambda states: [(frame, state) for frame, state in states if frame in frames]
+        medium = [f"MediumInterface {quoted(self.medium)}"] if self.medium else []
         light = over_frames(among(self.lights), self.notes)
         if self.shapes[0][1] is None:
-            return [light]
-        return [light, BLACK, over_frames(among(self.shapes), self.notes)]
+            return [*medium, light]
+        return [*medium, light, BLACK, over_frames(among(self.shapes), self.notes)]
 
     def point(self, light, matrix):
         intensity = self._colour(light, 1 / (4 * math.pi))

@@ -47,6 +47,8 @@ class Materials:
 
     def replacement(self, name, replaced):
         """The definition of a material in the place of another one."""
+        if self.media.get(name) != self.media.get(replaced):
+            self.notes.add(f'material "{name}": in the place of "{replaced}" its volume is left out, and that one\'s stays')
         states = [(frame, Directive("MakeNamedMaterial", replaced).with_params(directives[-1].params))
                   for frame, directives in self.states[name]]
         return over_frames(states, self.notes)
@@ -79,6 +81,8 @@ class Materials:
             return []
         if volume.grid and volume.grid != "density":
             tree.note(socket.source(), f'meshes have no grid "{volume.grid}"; the medium is the same everywhere')
+        if volume.blackbody:
+            tree.note(socket.source(), "flames of meshes are left out: they have no temperature")
         name = self.media[tree.name] = f"inside {tree.name}"
         return [Directive("MakeNamedMedium", name).with_params(volume.plus(self.around).params())]
 

@@ -1,4 +1,6 @@
 """What is placed in the scene: meshes, each of which may stand in many places."""
+from mathutils import Vector
+
 from .blocks import in_block, indented, placed
 from .directive import quoted
 from .geometry import Geometry
@@ -17,12 +19,16 @@ class Objects:
     def __init__(self, folder, materials):
         self.folder, self.materials, self.outside = folder, materials, ""
         self.geometries, self.stems = {}, set()
+        self.filled = []  # of the first frame: (object, matrix, the medium inside)
         self.placements = {}  # (geometry's key, materials' names, parameters) -> {the instance's key: Placement}
 
     def see(self, frame, instance, block):
         """`block` is the Dynamic block that it comes and goes with, or None."""
         object = instance.object
         if not object.data.polygons:
+            return
+        if any(modifier.type == "FLUID" and modifier.fluid_type == "DOMAIN" for modifier in object.modifiers):
+            self.materials.notes.add(f'object "{object.name}": the grids of a fluid are left out')
             return
         key = geometry_key(object)
         if key not in self.geometries:
@@ -32,6 +38,14 @@ class Objects:
         placement = self.placements.setdefault((key, names, tuple(parameters(object))), {}).setdefault(
             instance_key(instance), Placement(object.name, block))
         placement.matrices.append((frame, instance.matrix_world.copy()))
+        if frame == 1:
+            self.filled += [(object, instance.matrix_world.copy(), medium) for name in names
+                            if (medium := self.materials.media.get(name))][:1]
+
+    def medium_around(self, point):
+        """The name of the medium that fills the smallest mesh around a point in the first frame, or None."""
+        around = [(object.dimensions.length, medium) for object, matrix, medium in self.filled if contains(object, matrix, point)]
+        return min(around)[1] if around else None
 
     def lines(self, all_frames, between, outside):
         """`between` has the places at times between frames, by the instance's key; `outside` is the medium around them."""
@@ -83,6 +97,22 @@ class Objects:
             stem += "_"
         self.stems.add(stem)
         return stem
+
+
+def contains(object, matrix, point):
+    """Whether a ray from the point crosses the mesh an odd number of times."""
+    if matrix.determinant() == 0:
+        return False
+    start, crossings = matrix.inverted() @ point, 0
+    for _ in range(64):
+        hit, place, _, _ = object.ray_cast(start, DIRECTION)
+        if not hit:
+            break
+        start, crossings = place + 1e-4 * max(object.dimensions) * DIRECTION, crossings + 1
+    return crossings % 2 == 1
+
+
+DIRECTION = Vector((0.36, 0.48, 0.8))  # of no edge
 
 
 def slots(object):

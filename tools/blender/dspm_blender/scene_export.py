@@ -29,6 +29,7 @@ class SceneExport:
         self.camera, self.world = Camera(self.notes, shutter.params()), World(self.textures.folder, self.notes)
         self.objects, self.lights, self.hair = Objects(self.meshes, self.materials), {}, {}
         self.volumes = VolumeObjects(path, self.materials, self.notes)
+        self.medium_of_camera = None
         self.between = {}  # the instance's key -> [(time, matrix)]
 
     def see(self, frame, depsgraph):
@@ -59,6 +60,15 @@ class SceneExport:
             elif object.type in {"POINTCLOUD", "GPENCIL", "GREASEPENCIL"}:
                 self.notes.add(f'object "{object.name}": {object.type.lower()} is left out')
         self.variations.see(frame, self.materials)
+        if frame == 1:
+            self._see_media()
+
+    def _see_media(self):
+        """What the camera and the lamps stand in."""
+        self.medium_of_camera = self.objects.medium_around(self.camera.place())
+        for light in self.lights.values():
+            if light.matrices:
+                light.medium = self.objects.medium_around(light.matrices[0][1].translation)
 
     def see_between(self, time, depsgraph):
         """Where things are at a time between frames."""
@@ -102,7 +112,9 @@ class SceneExport:
         outside = self.world.medium()
         world += [*self.objects.lines(frames, self.between, outside), *self.volumes.lines(frames, self.between, outside)]
         world += self.variations.lines(self.materials)
-        lines = [*head(scene, settings, frames, self.path), *self.world.medium_lines(), *self.camera.lines(), "", "WorldBegin",
+        around = [f"MediumInterface {quoted(self.medium_of_camera)}"] if self.medium_of_camera else []
+        again = [f"MediumInterface {quoted(outside)}"] if around else []
+        lines = [*head(scene, settings, frames, self.path), *self.world.medium_lines(), *around, *self.camera.lines(), "", "WorldBegin", *again,
                  *self.textures.lines, *self.materials.lines(), *world]
         with open(self.path, "w", encoding="utf-8") as file:
             file.write("\n".join(lines) + "\n")

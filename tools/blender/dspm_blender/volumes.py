@@ -26,8 +26,8 @@ class Volume:
     blackbody: float = 0
 
     def times(self, share):
-        return replace(self, **{name: tuple(share * each for each in getattr(self, name))
-                                for name in ("absorbed", "scattered", "emitted")})
+        return replace(self, blackbody=share * self.blackbody, **{
+            name: tuple(share * each for each in getattr(self, name)) for name in ("absorbed", "scattered", "emitted")})
 
     def plus(self, other):
         total = lambda name: tuple(a + b for a, b in zip(getattr(self, name), getattr(other, name)))
@@ -39,17 +39,21 @@ class Volume:
     def params(self):
         """Of a medium that is the same everywhere."""
         absorbed = self.absorbed
-        params = {"string type": "homogeneous"}
         if any(self.emitted):
             absorbed = tuple(max(each, LEAST_ABSORPTION) for each in absorbed)
-            params["rgb Le"] = [emitted / share for emitted, share in zip(self.emitted, absorbed)]
-        return params | {"rgb sigma_a": list(absorbed), "rgb sigma_s": list(self.scattered), "float g": self.anisotropy}
+        return {"string type": "homogeneous", "rgb sigma_a": list(absorbed), "rgb sigma_s": list(self.scattered),
+                "rgb Le": [emitted / share if share else 0.0 for emitted, share in zip(self.emitted, absorbed)],
+                "float g": self.bounded_anisotropy()}
+
+    def bounded_anisotropy(self):
+        """dspm's lies between -1 and 1."""
+        return min(max(self.anisotropy, -0.99), 0.99)
 
     def grid_params(self):
         """Of one whose density a file has."""
         return {"string type": "nanovdb", "string gridname": self.grid or "density",
                 "string temperaturename": self.temperature or "temperature", "rgb sigma_a": list(self.absorbed),
-                "rgb sigma_s": list(self.scattered), "float g": self.anisotropy, "float Lescale": self.blackbody}
+                "rgb sigma_s": list(self.scattered), "float g": self.bounded_anisotropy(), "float Lescale": self.blackbody}
 
 
 class VolumeTree:
@@ -151,6 +155,7 @@ class VolumeObjects:
 
     def see(self, frame, key, instance, block):
         object = instance.object
+        object.data.grids.load()
         file = object.data.grids.frame_filepath or bpy.path.abspath(object.data.filepath, library=object.data.library)
         if not os.path.isfile(file):
             self.notes.add(f'object "{object.name}": there is no volume file {file!r}')
@@ -159,6 +164,10 @@ class VolumeObjects:
             self.placements[key] = Placement(object.name, block, f"{file_name(object.name)}.{len(self.placements)}")
         slots = object.material_slots
         volume = self.materials.volume(slots[0].material if slots else None)
+        if any(volume.emitted):
+            self.notes.add(f'object "{object.name}": emission other than that of its temperature is left out')
+        if self.materials.around != Volume():
+            self.notes.add(f'object "{object.name}": the world\'s volume is not in its box')
         self.placements[key].see(frame, instance.matrix_world.copy(), file, [tuple(c) for c in object.bound_box], volume)
 
     def lines(self, all_frames, between, outside):
@@ -196,12 +205,13 @@ class Placement:
         return f"{os.path.basename(folder)}/{self.stem}.%04d{kind}"
 
     def inside(self, file, frames, outside, notes):
-        medium = over_frames([(frame, Directive("MakeNamedMedium", self.stem).with_params(
+        name = f"{self.stem}.{frames[0]}"  # what is hidden in between has a medium for each stretch
+        medium = over_frames([(frame, Directive("MakeNamedMedium", name).with_params(
             volume.grid_params() | {"string filename": file})) for frame, volume in self.volumes if frame in frames], notes)
         margin = [0.01 * (high - low) for low, high in zip(self.low, self.high)]
         xs, ys, zs = ((low - more, high + more) for low, high, more in zip(self.low, self.high, margin))
         corners = [each for z in zs for y in ys for x in xs for each in (x, y, z)]
-        return [medium, f"MediumInterface {quoted(self.stem)} {quoted(outside)}", 'Material "interface"',
+        return [medium, f"MediumInterface {quoted(name)} {quoted(outside)}", 'Material "interface"',
                 f'Shape "trianglemesh" "point3 P" {written(corners)} "integer indices" {written(BOX)}']
 
 
