@@ -1,6 +1,7 @@
 """Runs in Blender: small scenes of what went wrong once, exported, and what dspm makes of them.
 usage: blender -b --factory-startup --python exported.py -- dspm folder"""
 import os
+import shutil
 import subprocess
 import sys
 
@@ -145,6 +146,29 @@ def expect_fog():
     text = text_of(path)
     expect('MediumInterface "world"\n' in text and 'MediumInterface "inside fog" "world"' in text, "fog of the world is around all")
     expect(notes == [], f"nothing is left out: {notes}")
+
+
+def expect_volume_files():
+    """A file for each frame is one here, and one that is hidden in between has a medium for each time that it is there."""
+    scene = begin(frames=3)
+    scenes.sky((1, 1, 1, 1), 1)
+    first = scenes.cloud_file()
+    for frame in (1, 2, 3):
+        shutil.copyfile(first, first.replace("block.vdb", f"sequence_{frame:04}.vdb"))
+    bpy.ops.object.volume_import(filepath=first.replace("block.vdb", "sequence_0001.vdb"), align="WORLD", location=(0, 0, 0))
+    data = bpy.context.object.data
+    data.is_sequence, data.frame_start, data.frame_duration = True, 1, 3
+    path, notes = exported(scene, "sequence")
+    text = text_of(path)
+    expect("%04d.vdb" in text and notes == [], f"a sequence has a file for each frame: {notes}")
+    expect(all(os.path.exists(f"{path[:-4]}.volumes/sequence_0001.0.{frame:04}.vdb") for frame in (1, 2, 3)), "which are there")
+    expect(len(rendered(path)) == 3, "and are rendered")
+    for frame, hidden in ((1, False), (2, True), (3, False)):
+        bpy.context.object.hide_render = hidden
+        bpy.context.object.keyframe_insert("hide_render", frame=frame)
+    path, _ = exported(scene, "hidden")
+    expect(text_of(path).count("MakeNamedMedium") == 2, "what is hidden in between has two media")
+    expect(len(rendered(path)) == 3, "and is rendered")
 
 
 # ACEScg to linear Rec. 709 by Bradford's adaptation (ACES TB-2014-004, colour-science.org).
@@ -312,7 +336,8 @@ def expect_what_is_new():
 
 
 def main():
-    for test in (expect_principled, expect_what_is_new, expect_what_is_shrunk_to_nothing, expect_view_layers, expect_fog, expect_colour_spaces, expect_baked_textures):
+    for test in (expect_principled, expect_what_is_new, expect_what_is_shrunk_to_nothing, expect_view_layers, expect_fog, expect_volume_files,
+                 expect_colour_spaces, expect_baked_textures):
         test()
     print(f"{len(failures)} failures")
     sys.exit(1 if failures else 0)

@@ -173,7 +173,7 @@ class VolumeObjects:
     def lines(self, all_frames, between, outside):
         """`outside` is the name of the medium around."""
         for key, placement in self.placements.items():
-            file = placement.file(self.folder)
+            file = placement.file(self.folder, all_frames)
             inside = lambda frames: placement.inside(file, frames, outside, self.notes)
             yield from in_block(placement.block, placed(placement.name, placement.matrices, all_frames, inside,
                                                         placement.changes(), between.get(key, ())))
@@ -194,14 +194,16 @@ class Placement:
     def changes(self):
         return len(set(self.files.values())) > 1
 
-    def file(self, folder):
-        """Its name in the scene; a sequence is copied to files by frame."""
+    def file(self, folder, all_frames):
+        """Its name in the scene; a sequence is copied to files by frame. A medium is there in all frames, and so are its files."""
         if not self.changes():
             return os.path.relpath(next(iter(self.files.values())), os.path.dirname(folder))
         os.makedirs(folder, exist_ok=True)
-        for frame, file in self.files.items():
-            shutil.copyfile(file, os.path.join(folder, f"{self.stem}.{frame:04}{os.path.splitext(file)[1]}"))
-        kind = os.path.splitext(next(iter(self.files.values())))[1]
+        file = next(iter(self.files.values()))
+        kind = os.path.splitext(file)[1]
+        for frame in range(1, all_frames + 1):
+            file = self.files.get(frame, file)
+            shutil.copyfile(file, os.path.join(folder, f"{self.stem}.{frame:04}{kind}"))
         return f"{os.path.basename(folder)}/{self.stem}.%04d{kind}"
 
     def inside(self, file, frames, outside, notes):
