@@ -14,7 +14,8 @@ set(public_headers
   image/film/pixel_filter.h image/film/pixel_rect.h
   image/image.h
   integrators/camera_numbers.h integrators/caught_light.h integrators/counters.h integrators/dimension.h integrators/emission_report.h
-  integrators/integrator.h integrators/iteration.h integrators/light_groups.h integrators/output_info.h
+  integrators/integrator.h integrators/iteration.h integrators/light_groups.h integrators/moment_pixels.h
+  integrators/output_info.h
   integrators/pixel_frames.h
   integrators/rejections.h integrators/seen_light.h integrators/statistics.h integrators/summed_iterations.h
   integrators/summing_integrator.h integrators/tiles.h
@@ -57,7 +58,7 @@ set(toolkit_headers
   integrators/transport/left_in_media.h integrators/transport/light_value.h integrators/transport/medium_boundary.h
   integrators/transport/medium_flight.h integrators/transport/medium_passage.h integrators/transport/medium_segment.h
   integrators/transport/medium_vertex.h
-  integrators/transport/nesting.h integrators/transport/path_step.h
+  integrators/transport/lobe_choice.h integrators/transport/nesting.h integrators/transport/path_step.h
   integrators/transport/shape_face.h integrators/transport/strand.h integrators/transport/strip_place.h
   integrators/transport/walk.h
   lights/aim.h lights/strength.h
