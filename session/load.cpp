@@ -16,6 +16,7 @@
 #include "dspm/lang/shape_run.h"
 #include "dspm/lang/upgrade.h"
 #include "dspm/session/job/frame_choice.h"
+#include "dspm/session/exposure.h"
 #include "dspm/session/load_modules.h"
 #include "dspm/world/held_files.h"
 #include "dspm/world/objects/kept_geometry.h"
