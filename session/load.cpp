@@ -15,8 +15,8 @@
 #include "dspm/lang/parse.h"
 #include "dspm/lang/shape_run.h"
 #include "dspm/lang/upgrade.h"
-#include "dspm/session/job/frame_choice.h"
 #include "dspm/session/exposure.h"
+#include "dspm/session/job/frame_choice.h"
 #include "dspm/session/load_modules.h"
 #include "dspm/world/held_files.h"
 #include "dspm/world/objects/kept_geometry.h"
@@ -101,7 +101,7 @@ void LoadedScene::make(const Choices& choices, Diagnostics& diagnostics, KeptGeo
   job = make_job(*description, choices, diagnostics);
   if (kept == nullptr && job.shutter.delays()) own_kept = std::make_shared<KeptGeometry>(true), kept = own_kept.get();
   WorldOptions world_options{job.settings.width, job.settings.height, job.accel, true, job.film.diagonal, kept,
-                             &job.frames, job.shutter.delays()};
+                             &job.frames,        job.shutter.delays()};
   world_options.nearby = has_motion(job.settings.outputs);
   world = std::make_unique<World>(*description, world_options, diagnostics);
   if (what_moves(*description).empty() && !world->has_velocities()) job.shutter = {};
