@@ -166,8 +166,10 @@ class HitPointTracer {
     light_.add(path, vertex, std::span<const HitPointLight::Surface>(surfaces));
     FrameArray<End> ends;
     FrameArray<Scattered> scattered, leaving;
-    for (const auto& [frames, pointer, choice] : surfaces) {
-      const Bsdf& bsdf = *pointer;
+    for (const HitPointLight::Surface& surface : surfaces) {
+      const FrameSet frames = surface.frames;
+      const LobeChoice& choice = surface.choice;
+      const Bsdf& bsdf = *surface.bsdf;
       CameraPath branch = path;
       branch.frames = frames;
       if (choice.rough) {
