@@ -15,8 +15,7 @@ struct Iteration {
   /// and lights. It lives as long as the iteration.
   const Scene& scene;
   std::optional<double> delay = {};  // frames after their moments that it shows; none: all iterations have one scene
-  /// Scenes of several moments, the first of which is `scene`, if the integrator can show several: then each pixel's camera
-  /// path sees one. Else empty.
+  /// The scenes of its moments, the first of which is `scene`: each pixel's camera path sees one of them. Empty: `scene` alone.
   std::span<const Scene* const> moments = {};
 
   /// Calls fn(const Scene&, const MomentPixels&) for each moment with the pixels that see it.

@@ -76,21 +76,20 @@ std::vector<std::string> explain_shutter(const Job& job) {
   if (moves.empty()) moves.emplace_back("meshes with velocities");
   const std::string times =
       job.moments == 1 ? "one time of it"
-                   : fmt::format("{} times of it, each to a part of the pixels, as something is fast", job.moments);
+                       : fmt::format("{} times of it, each to a part of the pixels, as something is fast", job.moments);
   return {fmt::format(
       "shutter: open from {} to {} frames after each frame's moment; meanwhile {} may change. Each iteration "
       "shows {}, the same in all frames.",
       job.shutter.open, job.shutter.close, fmt::join(moves, ", "), times)};
 }
 
-int moments_of_an_iteration(const Job& job, const World& world) {
+int moments_of_an_iteration(const Job& job, const World& opening, const World& closing) {
   constexpr int kMost = 7;
   constexpr double kWidths = 16, kPixels = 128;  // that one moment is enough for
-  if (!job.shutter.delays() || !job.plugin->sees_moments) return 1;
-  const std::vector<FileFrame> frames = world.sample_frames();
-  const std::unique_ptr<const World> opening = world.after(job.shutter.open), closing = world.after(job.shutter.close);
-  const double needed = std::max(widths_passed(*opening, *closing, frames) / kWidths,
-                                 pixels_turned(*opening, *closing, frames, job.settings) / kPixels);
+  if (!job.plugin->sees_moments) return 1;
+  const std::vector<FileFrame> frames = opening.sample_frames();
+  const double needed = std::max(widths_passed(opening, closing, frames) / kWidths,
+                                 pixels_turned(opening, closing, frames, job.settings) / kPixels);
   // Of sixteen iterations each width of the way then sees two moments; their number is odd, see Exposure::iteration().
   return needed <= 1 ? 1 : std::min(kMost, 2 * static_cast<int>(std::ceil(std::min(needed, 4.) - 0.5)) + 1);
 }
@@ -108,9 +107,7 @@ Iteration Exposure::iteration(int number) {
     later.scene = later.world->scene(scene_.file_frames, &scene_);
     moments_.push_back(later.scene.get());
   }
-  const bool several = moments_.size() > 1;
-  return {number, *moments_.front(), delay,
-          several ? std::span<const Scene* const>(moments_) : std::span<const Scene* const>()};
+  return {number, *moments_.front(), delay, moments_};
 }
 
 }  // namespace dspm

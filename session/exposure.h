@@ -21,7 +21,7 @@ double delay_of(int iteration, const Shutter& shutter, const RenderSettings& ren
 /// Returns how many moments of the shutter an iteration shows: several if something passes more than sixteen times its own width
 /// while the shutter is open, or the camera turns that fast, and the integrator can show them. It depends on the frames that
 /// stand for the file and on the picture's size alone. The job has it once it is loaded.
-int moments_of_an_iteration(const Job& job, const World& world);
+int moments_of_an_iteration(const Job& job, const World& opening, const World& closing);
 
 /// Says for --explain what blurs; nothing if nothing does.
 std::vector<std::string> explain_shutter(const Job& job);

@@ -105,12 +105,20 @@ void LoadedScene::make(const Choices& choices, Diagnostics& diagnostics, KeptGeo
   world_options.nearby = has_motion(job.settings.outputs);
   world = std::make_unique<World>(*description, world_options, diagnostics);
   if (what_moves(*description).empty() && !world->has_velocities()) job.shutter = {};
-  const auto& [open, close] = job.shutter;
-  if (job.shutter.delays() && diagnostics.error_count() == 0)  // shows errors early
-    world->after(std::abs(open) > std::abs(close) ? open : close, &diagnostics);
-  if (diagnostics.error_count() == 0) job.moments = moments_of_an_iteration(job, *world);
+  if (job.shutter.delays() && diagnostics.error_count() == 0) look_at_shutter(diagnostics);
   job.settings.file = std::make_shared<FileSample>(
       world->sample_frames(), [world = world.get()] { return world->scene(world->sample_frames()); });
+}
+
+/// Shows errors and notes of the farther end early, and compares both.
+void LoadedScene::look_at_shutter(Diagnostics& diagnostics) {
+  const double open = job.shutter.open, close = job.shutter.close;
+  const bool opens_farther = std::abs(open) > std::abs(close);
+  const auto later = [&](double delay, bool is_farther) {
+    return delay != 0 ? world->after(delay, is_farther ? &diagnostics : nullptr) : std::unique_ptr<World>();
+  };
+  const std::unique_ptr<World> opening = later(open, opens_farther), closing = later(close, !opens_farther);
+  job.moments = moments_of_an_iteration(job, opening ? *opening : *world, closing ? *closing : *world);
 }
 
 std::string summary_of(const LoadedScene& loaded) {

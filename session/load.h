@@ -31,6 +31,7 @@ struct LoadedScene {
 
  private:
   void make(const Choices& choices, Diagnostics& diagnostics, KeptGeometry* kept = nullptr);
+  void look_at_shutter(Diagnostics& diagnostics);
 };
 
 /// Returns how glTF files are to be read.

@@ -86,11 +86,7 @@ class MemoryBound::Trials {
 
   Trials(const MemoryBound& bound, const Job& job, const World& world, const Besides& besides,
          const SessionObserver& observer)
-      : bound_(bound),
-        job_(job),
-        world_(world),
-        besides_(besides),
-        observer_(observer) {}
+      : bound_(bound), job_(job), world_(world), besides_(besides), observer_(observer) {}
 
   std::optional<Result> of(const FrameList& frames) {
     if (observer_.end_wanted()) throw std::runtime_error("interrupted before the first iteration");

@@ -93,7 +93,8 @@ class AmbientOcclusion final : public TileTraced {
   }
 
   void trace(const Iteration& iteration, SeenLightSums& sums, Statistics& statistics) const override {
-    trace_pixels(iteration, statistics, [&](const Scene& scene) { return PixelTracer(scene, render(), hemisphere_, sums); });
+    trace_pixels(iteration, statistics,
+                 [&](const Scene& scene) { return PixelTracer(scene, render(), hemisphere_, sums); });
   }
 
   Hemisphere hemisphere_;

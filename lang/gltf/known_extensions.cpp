@@ -13,14 +13,15 @@
 namespace dspm::gltf {
 namespace {
 
-constexpr std::string_view kKnown[] = {
-    "EXT_mesh_gpu_instancing", "EXT_texture_webp", "KHR_animation_pointer", "KHR_lights_punctual",
-    "KHR_materials_anisotropy", "KHR_materials_clearcoat", "KHR_materials_diffuse_transmission",
-    "KHR_materials_emissive_strength", "KHR_materials_ior", "KHR_materials_iridescence", "KHR_materials_sheen",
-    "KHR_materials_specular", "KHR_materials_transmission", "KHR_materials_unlit", "KHR_materials_variants",
-    "KHR_materials_volume", "KHR_materials_volume_scatter", "KHR_mesh_quantization", "KHR_node_visibility", "KHR_texture_transform",
-    // Without effect on pictures:
-    "KHR_xmp_json_ld"};
+constexpr std::string_view kKnown[] = {"EXT_mesh_gpu_instancing", "EXT_texture_webp", "KHR_animation_pointer",
+                                       "KHR_lights_punctual", "KHR_materials_anisotropy", "KHR_materials_clearcoat",
+                                       "KHR_materials_diffuse_transmission", "KHR_materials_emissive_strength",
+                                       "KHR_materials_ior", "KHR_materials_iridescence", "KHR_materials_sheen",
+                                       "KHR_materials_specular", "KHR_materials_transmission", "KHR_materials_unlit",
+                                       "KHR_materials_variants", "KHR_materials_volume", "KHR_materials_volume_scatter",
+                                       "KHR_mesh_quantization", "KHR_node_visibility", "KHR_texture_transform",
+                                       // Without effect on pictures:
+                                       "KHR_xmp_json_ld"};
 /// Extensions that dspm leaves out: the material without them is close, and translating it says so.
 constexpr std::string_view kNearly[] = {"KHR_materials_dispersion"};
 

@@ -132,6 +132,7 @@ def expect_fog():
     expect(notes == [], f"nothing is left out: {notes}")
     bpy.context.object.scale = (8, 8, 8)  # around the camera, and a lamp
     scenes.lamp("POINT", (0, 3, 0), 100)
+    scenes.lamp("SUN", (0, -3, 0), 1)  # far away all the same
     path, notes = exported(scene, "in fog")
     text = text_of(path)
     expect(text.index('MediumInterface "inside fog"\n') < text.index("Camera") and text.count('MediumInterface "inside fog"\n') == 2,

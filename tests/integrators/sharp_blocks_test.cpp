@@ -122,9 +122,7 @@ DynamicEnd
   }
 }
 
-std::vector<std::string> explained(const std::string& text) {
-  return explain_shutter(TestScene(text).job());
-}
+std::vector<std::string> explained(const std::string& text) { return explain_shutter(TestScene(text).job()); }
 
 TEST(SharpBlocks, LeaveTheShutterClosedIfNothingElseMoves) {
   std::string text = flat(fmt::format(R"(DynamicBegin "sharp" "bool blur" false {} {} DynamicEnd)", kKeys, kUpper));

@@ -91,10 +91,7 @@ class CameraSubpathTracer {
     CameraSubpath here = path;
     here.frames = vertex.frames, here.travel(vertex.hit.t);
     here.arrive(scene_, vertex);
-    if (!vertex.point.turns)
-      here.weights = weights_on_arrival(path, vertex);
-    else
-      here.weights = {};
+    here.weights = vertex.point.turns ? SubpathWeights{} : weights_on_arrival(path, vertex);
     add_emission(here, vertex);
     scatter_light(here, vertex);
   }
@@ -292,10 +289,10 @@ class CameraSubpathTracer {
 
   static void leave(CameraSubpath& path, const Vertex& vertex, const BsdfSample& sample) {
     extend_ray(path, vertex, sample);
-    static_cast<CameraPath&>(path).leave(vertex, sample);
+    path.leave(vertex, sample);
   }
   static void leave(CameraSubpath& path, const MediumVertex& vertex, const BsdfSample& sample) {
-    static_cast<CameraPath&>(path).leave(vertex, sample.wi, sample.pdf_w);
+    path.leave(vertex, sample.wi, sample.pdf_w);
   }
 
   template <class Place>

@@ -256,16 +256,17 @@ class LightPathTracer {
     });
     if (sent.empty()) return;
     ++out_.paths.shadow_rays;
-    for_each_open(scene_, segment_from(place, sight.w, sight.distance), way.inside, sent,
-                  {way.random, light.bounces + 1}, [&](FrameSet open, const Rgb& transmittance) {
-                    for (const FrameFactor& part : parts)
-                      for_each_strand(
-                          out_.strands.of(light.strands), part.frames & open, [&](FrameSet frames, const Rgb& weight) {
-                            if (!frames.empty())
-                              out_.splats.push_back({sight.film, frames, part.factor * weight * transmittance,
-                                                     light_index_, is_caught(scene_, place), light.medium != kNoMedium});
-                          });
-                  });
+    for_each_open(
+        scene_, segment_from(place, sight.w, sight.distance), way.inside, sent, {way.random, light.bounces + 1},
+        [&](FrameSet open, const Rgb& transmittance) {
+          for (const FrameFactor& part : parts)
+            for_each_strand(
+                out_.strands.of(light.strands), part.frames & open, [&](FrameSet frames, const Rgb& weight) {
+                  if (!frames.empty())
+                    out_.splats.push_back({sight.film, frames, part.factor * weight * transmittance, light_index_,
+                                           is_caught(scene_, place), light.medium != kNoMedium});
+                });
+        });
   }
 
   const VcmPass& pass_;

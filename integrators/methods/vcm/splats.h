@@ -15,10 +15,10 @@ namespace dspm {
 struct Splat {
   Vec2 film;  // in pixels of the full image
   FrameSet frames;
-  Rgb radiance;  // of a pixel that sees this place only, for one pixel of film
-  int light;     // the light that it comes from: an index of the scene
-  bool caught;   // the place is on a shadow catcher
-  bool of_media;
+  Rgb radiance;   // of a pixel that sees this place only, for one pixel of film
+  int light;      // the light that it comes from: an index of the scene
+  bool caught;    // the place is on a shadow catcher
+  bool of_media;  // as in SeenLight
 };
 
 /// Returns whether a pixel of the crop sees the place.

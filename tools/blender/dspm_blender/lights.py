@@ -46,6 +46,10 @@ class Light:
         if light.type != "AREA" or area_of(light, instance.matrix_world):
             self.between.append((time, KINDS[light.type](self, light, instance.matrix_world)[0]))
 
+    def is_far(self):
+        """A sun shines from beyond everything, wherever its object is."""
+        return self.lights[0][1].names == ("distant",)
+
     def lines(self, all_frames, camera):
         """A lamp that the camera is not to see is a hole if it would, and a sun a point; else mirrors show it, as in Cycles."""
         if not self.lights:

@@ -67,7 +67,7 @@ class SceneExport:
         """What the camera and the lamps stand in."""
         self.medium_of_camera = self.objects.medium_around(self.camera.place())
         for light in self.lights.values():
-            if light.matrices:
+            if light.matrices and not light.is_far():
                 light.medium = self.objects.medium_around(light.matrices[0][1].translation)
 
     def see_between(self, time, depsgraph):
