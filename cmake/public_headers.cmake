@@ -3,7 +3,7 @@
 # and may change with any version.
 set(public_headers
   accel/accel.h
-  base/colour/colour_space.h base/colour/rgb.h base/colour/spectrum.h
+  base/colour/colour_space.h base/colour/rgb.h base/colour/spectrum.h base/colour/wavelength.h
   base/math/bins.h base/math/frame_array.h base/math/frames.h base/math/owen.h base/math/ray.h base/math/rng.h
   base/math/sampling.h base/math/simd.h
   base/math/transform.h base/math/vec.h base/math/vertex_data.h
@@ -22,7 +22,7 @@ set(public_headers
   lang/file_frames.h
   lights/four_lamps.h lights/light.h lights/light_bounds.h lights/light_tree.h
   materials/bsdf.h materials/interior.h materials/material.h materials/material_set.h materials/microfacet.h
-  materials/parameters.h materials/shading_frame.h
+  materials/parameters.h materials/refractive_index.h materials/shading_frame.h
   media/majorants.h media/medium.h
   session/job/choices.h
   session/modules/module.h session/modules/stamp.h
@@ -52,7 +52,7 @@ set(toolkit_headers
   integrators/photons/memory_needs.h
   integrators/photons/photon.h integrators/photons/photon_grid.h integrators/photons/photon_map.h
   integrators/photons/photon_numbers.h
-  integrators/photons/radiance_estimate.h integrators/photons/trace_hit_points.h integrators/photons/trace_photons.h
+  integrators/photons/radiance_estimate.h integrators/photons/same_surface.h integrators/photons/trace_hit_points.h integrators/photons/trace_photons.h
   integrators/transport/balance.h integrators/transport/body.h integrators/transport/branching_path.h
   integrators/transport/camera_path.h integrators/transport/direct_light.h integrators/transport/joint_path.h
   integrators/transport/left_in_media.h integrators/transport/light_value.h integrators/transport/medium_boundary.h

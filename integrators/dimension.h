@@ -3,7 +3,7 @@
 
 namespace dspm {
 
-/// The dimensions of the random numbers at one bounce. A path's start uses the last three of bounce 0, so direct light
+/// The dimensions of the random numbers at one bounce. A path's start uses those from kLightChoice on of bounce 0, so direct light
 /// at the vertex of bounce b uses those of b + 1; so does light that media scatter along the segment before.
 enum Dimension : int {
   kScatter,
@@ -14,7 +14,8 @@ enum Dimension : int {
   kLightPoint,
   kLightDirection,
   kNearLight,
-  kScatteringPoint
+  kScatteringPoint,
+  kWavelength
 };
 
 }  // namespace dspm

@@ -31,6 +31,8 @@ struct BsdfSample {
   float eta_scale = 1;
   // Of the boundary of a body that scatters inside: what lies along wi, nothing if that is outside. Else nullopt.
   std::optional<Interior> ahead = std::nullopt;
+  // Only light of SurfacePoint::wavelength goes this way: the weight has the factor hue_on_refraction() of that.
+  bool by_wavelength = false;
 };
 
 /// Plain values without owned memory: a Bsdf may be copied byte by byte (see BsdfSlot).
@@ -55,6 +57,9 @@ class Bsdf {
   virtual bool transmits(LobeSet) const { return false; }
   /// Returns whether w leads into a body that scatters inside: nothing is seen in a straight line there.
   virtual bool enters(const Vec3& /*w*/) const { return false; }
+  /// Returns whether light between these directions goes by its wavelength: f is then that of SurfacePoint::wavelength, times
+  /// its hue_on_refraction().
+  virtual bool disperses(const Vec3& /*wo*/, const Vec3& /*wi*/) const { return false; }
   /// Returns f if it is the same for all pairs of directions on the outer (ng) side or on both sides, and black through
   /// the surface; otherwise nullopt. Gathering then sums flux first and multiplies once; it handles light on the wrong
   /// side of ns itself.
@@ -71,13 +76,13 @@ class Bsdf {
 /// compilers that we use because a Bsdf owns nothing and has no virtual base.
 class BsdfSlot {
  public:
-  static constexpr std::size_t kSize = 96;
+  static constexpr std::size_t kSize = 104;
 
   template <class T, class... Args>
   const Bsdf& emplace(Args&&... args) {
     static_assert(std::is_base_of_v<Bsdf, T>, "a class in a BsdfSlot must be derived from Bsdf");
     static_assert(sizeof(T) <= kSize,
-                  "this Bsdf is larger than the 96 bytes of a BsdfSlot: keep the data that all "
+                  "this Bsdf is larger than the 104 bytes of a BsdfSlot: keep the data that all "
                   "points share in the Material, and a pointer to it here");
     static_assert(alignof(T) <= 8, "this Bsdf is aligned to more than 8 bytes: keep SIMD values as plain floats");
     static_assert(std::is_trivially_destructible_v<T>,

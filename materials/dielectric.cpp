@@ -3,6 +3,8 @@
 //   Material "dielectric" "float eta" 1.33
 //
 //   eta                   float or spectrum   1.5         index of refraction inside over outside
+//   abbe                  float               0           its Abbe number: eta is the index at 587.6 nm; 0: no dispersion
+//   glass                 string              none        instead of eta: "BK7", "SF11", "diamond", ...
 //   roughness             float texture       0           of both directions
 //   uroughness            float texture       roughness   along the first tangent
 //   vroughness            float texture       roughness   across it
@@ -11,8 +13,8 @@
 //   attenuationcolor      spectrum            1           of white light after attenuationdistance in the body
 //   attenuationdistance   float               1           in world units
 //
-// Inside is the side away from the geometric normal. A spectrum for eta is averaged over the colours: there is no
-// dispersion. Rough glass is GGX, and on the side that light comes from, a diffuse lobe for light that meets a second
+// Inside is the side away from the geometric normal. If the index differs with the wavelength, light is refracted by
+// that of the iteration, and goes on with its hue (wavelength.h); what is mirrored outside keeps all colours. Rough glass is GGX, and on the side that light comes from, a diffuse lobe for light that meets a second
 // facet (made_up.h); without energycompensation that light is lost, as in pbrt. Coloured glass absorbs within the body:
 // after a distance d, attenuationcolor^(d / attenuationdistance) is left (Beer's law). The body ends at its mesh, which
 // should be closed; what is opaque may lie in it. Where bodies overlap, the one of the higher "priority" is there, and
@@ -36,6 +38,7 @@
 #include "dspm/materials/microfacet.h"
 #include "dspm/materials/parameters.h"
 #include "dspm/materials/per_surroundings.h"
+#include "dspm/materials/refractive_index.h"
 #include "dspm/materials/rough_boundary.h"
 #include "dspm/materials/shading_frame.h"
 
@@ -44,37 +47,40 @@ namespace {
 
 class SmoothDielectric final : public Bsdf {
  public:
-  SmoothDielectric(const ShadingFrame& frame, float eta) : frame_(frame), eta_(eta) {}
+  SmoothDielectric(const ShadingFrame& frame, const Refraction& refraction) : frame_(frame), refraction_(refraction) {}
 
   LobeSet lobes(float least_alpha) const override { return least_alpha <= 0 ? kBothLobes : 0; }
   Rgb evaluate(const Vec3&, const Vec3&, Transport, LobeSet) const override { return {}; }
   float pdf_w(const Vec3&, const Vec3&, Transport, LobeSet) const override { return 0; }
 
   std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const override {
-    const float side = frame_.side(wo), eta = side > 0 ? eta_ : 1 / eta_;
+    const float side = frame_.side(wo), eta = refraction_.eta_from(side);
     const auto arriving = frame_.arrive(wo, side, transport);
     if (!(lobes & kBothLobes) || !arriving) return std::nullopt;
     const Vec3 o = *arriving;
     const float fresnel = fresnel_dielectric(o.z, eta), chance = chance_of_reflection(fresnel, lobes);
     const bool reflected = u.z < chance;
     const std::optional<Vec3> i = reflected ? Vec3{-o.x, -o.y, o.z} : refract(o, {0, 0, 1}, eta);
-    const float weight = reflected ? fresnel / chance : (1 - fresnel) / (1 - chance) * transport_scale(transport, eta);
+    const float mirrored = refraction_.disperses() ? fresnel_dielectric(o.z, refraction_.mirroring_eta(side)) : fresnel;
+    const float weight = reflected ? mirrored / chance : (1 - fresnel) / (1 - chance) * transport_scale(transport, eta);
     if (!i || weight == 0) return std::nullopt;
     const auto leaving = frame_.leave(*i, side, transport, u.x);
     if (!leaving) return std::nullopt;
-    return BsdfSample{leaving->wi, Rgb(weight / leaving->share), 0, true,
+    BsdfSample sample{leaving->wi, Rgb(weight / leaving->share), 0, true,
                       reflected ? 1 : transport_scale(transport, eta)};
+    if (refraction_.disperses()) refraction_.apply_to(sample, !reflected, side);
+    return sample;
   }
 
   float lobe_probability(const Vec3& wo, LobeSet lobes) const override {
     const float side = frame_.side(wo), cos_o = std::abs(frame_.local(wo, side).z);
-    const float fresnel = fresnel_dielectric(cos_o, side > 0 ? eta_ : 1 / eta_);
+    const float fresnel = fresnel_dielectric(cos_o, refraction_.eta_from(side));
     return share_of(fresnel, lobes);
   }
 
  private:
   ShadingFrame frame_;
-  float eta_;
+  Refraction refraction_;
 };
 
 /// The tables that all points of a rough body share.
@@ -88,23 +94,28 @@ class RoughDielectric final : public Bsdf {
   static constexpr LobeSet kMadeUp = 4;
 
   /// `tables` must outlive it; null means that what meets a second facet is lost.
-  RoughDielectric(const ShadingFrame& frame, const Ggx& facets, float eta, const GlassTables* tables)
-      : frame_(frame), facets_(facets), eta_(eta), tables_(tables) {}
+  RoughDielectric(const ShadingFrame& frame, const Ggx& facets, const Refraction& refraction, const GlassTables* tables)
+      : frame_(frame), facets_(facets), refraction_(refraction), tables_(tables) {}
 
   LobeSet lobes(float least_alpha) const override {
     const LobeSet by_facets = facets_.least_alpha() >= least_alpha ? kBothLobes : 0;
     return static_cast<LobeSet>(by_facets | (tables_ != nullptr ? kMadeUp : 0));
   }
   bool transmits(LobeSet lobes) const override { return (lobes & kTransmission) != 0; }
+  bool disperses(const Vec3& wo, const Vec3& wi) const override {
+    const float side = frame_.side(wo);
+    return refraction_.disperses() && (side != frame_.side(wi) || refraction_.mirrors_by_wavelength(side));
+  }
 
   Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
     const LocalPair w(frame_, wo, wi, transport);
     if (!w.valid) return {};
-    if (w.reflection()) return Rgb(f_above(w.wo, w.wi, w.side, lobes));
+    if (w.reflection()) return refraction_.hue_of_mirrored(w.side) * f_above(w.wo, w.wi, w.side, lobes);
     const float eta = eta_from(w.side);
     const auto facet = lobes & kTransmission ? facet_between(w.wo, w.wi, eta) : std::nullopt;
     if (!facet) return {};
-    return Rgb((1 - facet->fresnel) * refraction(facets_, w.wo, w.wi, *facet) * transport_scale(transport, eta));
+    return refraction_.hue_of_refracted() *
+           ((1 - facet->fresnel) * refraction(facets_, w.wo, w.wi, *facet) * transport_scale(transport, eta));
   }
 
   float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
@@ -136,23 +147,28 @@ class RoughDielectric final : public Bsdf {
     if (!refracted) {
       const float pdf = leaving->share * density_above(o, *i, side, lobes);
       if (!(pdf > 0)) return std::nullopt;
-      return BsdfSample{leaving->wi, Rgb(f_above(o, *i, side, lobes) * i->z / pdf), pdf, false};
+      BsdfSample sample{leaving->wi, Rgb(f_above(o, *i, side, lobes) * i->z / pdf), pdf, false};
+      if (refraction_.disperses()) refraction_.apply_to(sample, false, side);
+      return sample;
     }
     const float chance = leaving->share * by_facets * (1 - mirror), scale = transport_scale(transport, eta);
     const float weight = (1 - fresnel) / chance * facets_.visible_after(o, *i);
     const float pdf = chance * facets_.visible_density(o, m) * solid_angle_ratio(o, *i, m, eta);
-    return BsdfSample{leaving->wi, Rgb(weight * scale), pdf, false, scale};
+    BsdfSample sample{leaving->wi, Rgb(weight * scale), pdf, false, scale};
+    if (refraction_.disperses()) refraction_.apply_to(sample, true, side);
+    return sample;
   }
 
   float lobe_probability(const Vec3& wo, LobeSet lobes) const override;
 
  private:
-  float eta_from(float side) const { return side > 0 ? eta_ : 1 / eta_; }
+  float eta_from(float side) const { return refraction_.eta_from(side); }
   /// Returns f for directions above the surface.
   float f_above(const Vec3& o, const Vec3& i, float side, LobeSet lobes) const {
     const Vec3 m = normalize(o + i);
     float sum = makes_up(lobes) ? f_made_up(o, i, side) : 0;
-    if (lobes & kReflection) sum += fresnel_dielectric(dot(o, m), eta_from(side)) * facets_.reflection(o, i, m);
+    if (lobes & kReflection)
+      sum += fresnel_dielectric(dot(o, m), refraction_.mirroring_eta(side)) * facets_.reflection(o, i, m);
     return sum;
   }
   float density_above(const Vec3& o, const Vec3& i, float side, LobeSet lobes) const {
@@ -187,7 +203,7 @@ class RoughDielectric final : public Bsdf {
 
   ShadingFrame frame_;
   Ggx facets_;
-  float eta_;
+  Refraction refraction_;
   const GlassTables* tables_;
 };
 
@@ -222,7 +238,7 @@ float share_of_roughness(float eta) {
 class DielectricMaterial final : public Material {
  public:
   DielectricMaterial(ParamReader& reader, const MaterialContext& context)
-      : eta_(read_eta(reader)),
+      : index_(read_refractive_index(reader)),
         roughness_(reader, context),
         makes_up_(read_energy_compensation(reader, context)),
         absorption_(read_absorption(reader)) {}
@@ -230,7 +246,7 @@ class DielectricMaterial final : public Material {
   void make_tables() {
     if (!makes_up_ || roughness_.is_smooth()) return;
     tables_.emplace([this](float outside) {
-      const float eta = eta_ / outside;
+      const float eta = index_.mean() / outside;
       if (eta == 1) return GlassTables{};
       return GlassTables{boundary_tables(eta), roughness_.is_even() ? nullptr : brushed_glass(eta)};
     });
@@ -238,17 +254,21 @@ class DielectricMaterial final : public Material {
 
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
     const ShadingFrame frame(point);
-    const float eta = eta_ / point.outside_eta;
-    const Vec2 alpha = roughness_.alpha(point) * share_of_roughness(eta);
-    if (Ggx::is_smooth(alpha) || eta == 1) return slot.emplace<SmoothDielectric>(frame, eta);
-    return slot.emplace<RoughDielectric>(frame, Ggx(alpha), eta, tables_ ? &tables_->of(point.outside_eta) : nullptr);
+    const Refraction refraction(index_, point);
+    const float share = std::min(share_of_roughness(refraction.mean_eta), share_of_roughness(refraction.eta));
+    const Vec2 alpha = roughness_.alpha(point) * share;
+    if (Ggx::is_smooth(alpha) || refraction.mean_eta == 1) return slot.emplace<SmoothDielectric>(frame, refraction);
+    return slot.emplace<RoughDielectric>(frame, Ggx(alpha), refraction,
+                                         tables_ ? &tables_->of(point.outside_eta) : nullptr);
   }
   bool bounds_a_body() const override { return true; }
-  float eta() const override { return eta_; }
+  float eta() const override { return index_.mean(); }
+  float eta_at(const Wavelength& wavelength) const override { return index_.at(wavelength); }
+  bool disperses() const override { return index_.disperses(); }
   Rgb absorption() const override { return absorption_; }
 
  private:
-  float eta_;
+  RefractiveIndex index_;
   Roughness roughness_;
   bool makes_up_;
   std::optional<PerSurroundings<GlassTables>> tables_;

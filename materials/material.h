@@ -27,6 +27,10 @@ class Material {
   virtual Rgb absorption() const { return Rgb(0); }
   /// The body's index of refraction, relative to the medium for which SurfacePoint::outside_eta is 1.
   virtual float eta() const { return 1; }
+  /// The same for light of that wavelength.
+  virtual float eta_at(const Wavelength&) const { return eta(); }
+  /// Returns whether its index differs with the wavelength: light that it refracts goes on with one wavelength alone.
+  virtual bool disperses() const { return false; }
   /// Returns whether light that crosses the surface is scattered inside.
   virtual bool scatters_inside() const { return false; }
   /// Returns false if light passes as if the surface were not there; its shapes are then left out of the scene.

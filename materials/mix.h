@@ -22,6 +22,8 @@ class MixMaterial final : public Material {
   bool bounds_a_body() const override { return parts_[0]->bounds_a_body() || parts_[1]->bounds_a_body(); }
   Rgb absorption() const override { return body().absorption(); }
   float eta() const override { return body().eta(); }
+  float eta_at(const Wavelength& wavelength) const override { return body().eta_at(wavelength); }
+  bool disperses() const override { return parts_[0]->disperses() || parts_[1]->disperses(); }
   bool scatters_inside() const override { return parts_[0]->scatters_inside() || parts_[1]->scatters_inside(); }
   bool is_seen() const override { return parts_[0]->is_seen() || parts_[1]->is_seen(); }
   const Material* chosen(const SurfacePoint& point, int depth) const override;

@@ -53,7 +53,7 @@ float read_eta(ParamReader& reader, float fallback, const std::string& name) {
   if (eta.r != eta.g || eta.g != eta.b)
     reader.diagnostics().note(
         reader.where(name),
-        fmt::format("dispersion is not supported: {} is {:.4g}, the mean of its colours", name, mean));
+        fmt::format("{} has no dispersion: {} is {:.4g}, the mean of its colours", reader.subject(), name, mean));
   return mean;
 }
 

@@ -47,7 +47,7 @@ class Roughness {
 /// not make up for it.
 bool read_energy_compensation(ParamReader& reader, const MaterialContext& context);
 
-/// Reads an index of refraction. dspm does not render dispersion: a spectrum is averaged, with a note.
+/// Reads an index of refraction of what does not refract light by its wavelength: a spectrum is averaged, with a note.
 float read_eta(ParamReader& reader, float fallback = 1.5f, const std::string& name = "eta");
 
 /// A metal's complex index of refraction, eta + ik.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/wavelength.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/math/vertex_data.h"
@@ -44,7 +45,10 @@ struct SurfacePoint {
   // The index of refraction around the body that the surface bounds, over that for which the body's own is given: 1
   // unless it lies in another body, of lower priority.
   float outside_eta = 1;
-  VertexPlace vertices{};  // of a mesh with colours of vertices or second texture coordinates
+  // That index at the wavelength below, over outside_eta.
+  float outside_dispersion = 1;
+  Wavelength wavelength{};  // of the path that has met the surface
+  VertexPlace vertices{};   // of a mesh with colours of vertices or second texture coordinates
 
   /// A ray that leaves the surface in direction w (unit length), from a point further off p than its error, on w's side
   /// of ng.

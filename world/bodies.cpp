@@ -16,6 +16,7 @@ void find_bodies(Scene& scene) {
   for (const FrameStates<Material>& material : scene.materials) {
     bounds.push_back(false);
     for (const auto& state : material.states) {
+      scene.disperses |= state.object->disperses();
       if (!state.object->bounds_a_body()) continue;
       bounds.back() = true;
       priorities.insert(state.object->priority());

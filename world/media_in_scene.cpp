@@ -70,10 +70,14 @@ void add_media(Scene& scene, const Media& media, const Geometry& geometry, const
 }
 
 void add_media_of_lights(Scene& scene, const std::vector<WorldLight>& lights, const Media& media) {
-  if (scene.media.empty()) return;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     SceneLight& light = scene.lights[i];
-    if (const int glowing = lights[i].glow_of; glowing != kNoMedium) {
+    const int glowing = lights[i].glow_of;
+    if (scene.media.empty()) {
+      light.is_drowned = glowing != kNoMedium;
+      continue;
+    }
+    if (glowing != kNoMedium) {
       light.glow = {glowing, is_parted(scene, glowing)}, light.media = {glowing, glowing};
       scene.media[static_cast<std::size_t>(glowing)].light = static_cast<int>(i);
       continue;

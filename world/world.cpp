@@ -289,12 +289,13 @@ std::unique_ptr<Scene> World::Impl::scene(std::span<const FileFrame> frames, Con
   scene->materials = looks.materials_in(scene->file_frames);
   scene->material_names = looks.material_names();
   find_bodies(*scene);
-  add_media(*scene, media, geometry, shapes_there(scene->file_frames, contents),
-            [&](std::span<const PlacedShape> shapes) {
-              Diagnostics ignored;
-              ParamReader reader = accel_reader(ignored);
-              return accel->make(reader, shapes, scene->frames());
-            });
+  if (contents != Contents::without_objects)  // smoke is no part of what catchers stand for
+    add_media(*scene, media, geometry, shapes_there(scene->file_frames, contents),
+              [&](std::span<const PlacedShape> shapes) {
+                Diagnostics ignored;
+                ParamReader reader = accel_reader(ignored);
+                return accel->make(reader, shapes, scene->frames());
+              });
   for (const WorldLight& light : lights) {
     if (light.infinite) scene->infinite_lights.push_back(static_cast<int>(scene->lights.size()));
     scene->lights.push_back({cut(light.states, scene->file_frames), light.probability,

@@ -19,17 +19,30 @@ Spectrum tabulate(int first_nm, int last_nm, int step, Value&& value) {
   return spectrum;
 }
 
-/// n^2 - 1 = sum of b_i l^2 / (l^2 - c_i), wavelength l in micrometres. Coefficients from Schott's data sheets.
+/// n^2 - 1 = sum of b_i l^2 / (l^2 - c_i), wavelength l in micrometres. Coefficients from Schott's data sheets; of fused
+/// silica by Malitson 1965, sapphire (its ordinary ray) by Malitson and Dodge 1972, diamond by Peter 1923, cubic zirconia by
+/// Wood and Nassau 1982, and water at 20 degrees by Daimon and Masumura 2007.
 struct Glass {
   std::string_view name;
-  double b[3], c[3];
+  double b[4], c[4];
 };
 constexpr Glass kGlasses[] = {
     {"glass-BK7", {1.03961212, 0.231792344, 1.01046945}, {0.00600069867, 0.0200179144, 103.560653}},
     {"glass-BAF10", {1.5851495, 0.143559385, 1.08521269}, {0.00926681282, 0.0424489805, 105.613573}},
     {"glass-FK51A", {0.971247817, 0.216901417, 0.904651666}, {0.00472301995, 0.0153575612, 168.68133}},
     {"glass-LASF9", {2.00029547, 0.298926886, 1.80691843}, {0.0121426017, 0.0538736236, 156.530829}},
-    // pbrt drops the S: these are Schott's SF5, SF10 and SF11.
+    {"glass-F2", {1.34533359, 0.209073176, 0.937357162}, {0.00997743871, 0.0470450767, 111.886764}},
+    {"glass-SF5", {1.52481889, 0.187085527, 1.42729015}, {0.011254756, 0.0588995392, 129.141675}},
+    {"glass-SF10", {1.62153902, 0.256287842, 1.64447552}, {0.0122241457, 0.0595736775, 147.468793}},
+    {"glass-SF11", {1.73759695, 0.313747346, 1.89878101}, {0.013188707, 0.0623068142, 155.23629}},
+    {"glass-silica", {0.6961663, 0.4079426, 0.8974794}, {0.00467914826, 0.0135120631, 97.9340025}},
+    {"glass-sapphire", {1.4313493, 0.65054713, 5.3414021}, {0.00527992604, 0.0142382647, 325.017834}},
+    {"glass-diamond", {0.3306, 4.3356}, {0.030625, 0.011236}},
+    {"glass-zirconia", {1.347091, 2.117788, 9.452943}, {0.00391162685, 0.0278018941, 591.490134}},
+    {"glass-water",
+     {0.5684027565, 0.1726177391, 0.02086189578, 0.1130748688},
+     {0.005101829712, 0.01821153936, 0.02620722293, 10.69792721}},
+    // pbrt drops the S: these are Schott's SF5, SF10 and SF11, too.
     {"glass-F5", {1.52481889, 0.187085527, 1.42729015}, {0.011254756, 0.0588995392, 129.141675}},
     {"glass-F10", {1.62153902, 0.256287842, 1.64447552}, {0.0122241457, 0.0595736775, 147.468793}},
     {"glass-F11", {1.73759695, 0.313747346, 1.89878101}, {0.013188707, 0.0623068142, 155.23629}},
@@ -39,7 +52,7 @@ Spectrum dispersion(const Glass& glass) {
   return tabulate(360, 830, 5, [&](int nm) {
     const double l2 = 1e-6 * nm * nm;
     double n2 = 1;
-    for (int i = 0; i < 3; ++i) n2 += glass.b[i] * l2 / (l2 - glass.c[i]);
+    for (int i = 0; i < 4; ++i) n2 += glass.b[i] * l2 / (l2 - glass.c[i]);
     return std::sqrt(n2);
   });
 }

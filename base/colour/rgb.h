@@ -49,6 +49,7 @@ inline std::optional<Rgb> ratio(const Rgb& a, const Rgb& b) {
 
 inline bool is_black(const Rgb& c) { return c.r == 0 && c.g == 0 && c.b == 0; }
 inline float max_component(const Rgb& c) { return std::max(c.r, std::max(c.g, c.b)); }
+inline float mean(const Rgb& c) { return (c.r + c.g + c.b) / 3; }
 inline float luminance(const Rgb& c) { return 0.212671f * c.r + 0.715160f * c.g + 0.072169f * c.b; }
 inline bool is_finite(const Rgb& c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b); }
 

@@ -1,5 +1,5 @@
 // Spectra as scene files give them (named, sampled, black body), and their conversion to linear Rec. 709 RGB. dspm
-// renders in RGB; a spectrum exists only while a parameter is read.
+// renders in RGB; of spectra, only indices of refraction outlive the reading of parameters.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ struct Spectrum {
   float at(float wavelength) const;
 };
 
-/// pbrt's named spectra: glass-BK7, metal-Cu-eta, stdillum-D65, ...
+/// pbrt's named spectra, and some more glasses: glass-BK7, metal-Cu-eta, stdillum-D65, ...
 std::optional<Spectrum> named_spectrum(std::string_view name);
 std::vector<std::string> spectrum_names();
 /// The radiance of a black body over wavelength, its peak scaled to 1.

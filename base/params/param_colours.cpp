@@ -12,6 +12,8 @@
 namespace dspm {
 namespace {
 
+const std::vector<ParamType> kColourTypes{ParamType::number, ParamType::rgb, ParamType::spectrum, ParamType::blackbody};
+
 std::string default_text(const Rgb& c) { return fmt::format("{:g} {:g} {:g}", c.r, c.g, c.b); }
 
 Rgb named_colour(std::string_view name, SpectrumRole role) { return to_rgb(named_spectrum(name).value(), role); }
@@ -53,6 +55,16 @@ Rgb ParamReader::rgb(std::string_view name, std::string_view named_fallback, Spe
   return take_colour(name, named_colour(named_fallback, role), default_value, role, false, sentence).value;
 }
 
+ColourOrSpectrum ParamReader::colour_or_spectrum(std::string_view name, Rgb fallback, SpectrumRole role,
+                                                 std::string_view sentence) {
+  const Param* param = take(name, kColourTypes, default_text(fallback), {}, sentence);
+  if (param == nullptr) return {fallback, {}};
+  if (param->type != ParamType::spectrum) return {colour(*param, role).value_or(fallback), {}};
+  std::optional<Spectrum> given = spectrum(*param);
+  const Rgb seen = given ? to_rgb(*given, role) : fallback;
+  return {seen, std::move(given)};
+}
+
 ValueOrTexture<Rgb> ParamReader::rgb_or_texture(std::string_view name, Rgb fallback, SpectrumRole role,
                                                 std::string_view sentence) {
   return take_colour(name, fallback, default_text(fallback), role, true, sentence);
@@ -66,7 +78,7 @@ ValueOrTexture<Rgb> ParamReader::rgb_or_texture(std::string_view name, std::stri
 
 ValueOrTexture<Rgb> ParamReader::take_colour(std::string_view name, Rgb fallback, std::string default_value,
                                              SpectrumRole role, bool textures, std::string_view sentence) {
-  Types types{ParamType::number, ParamType::rgb, ParamType::spectrum, ParamType::blackbody};
+  Types types = kColourTypes;
   if (textures) types.push_back(ParamType::texture);
   const Param* param = take(name, types, std::move(default_value), {}, sentence);
   if (!param)

@@ -91,6 +91,12 @@ struct ValueOrTexture {
   SourceLocation where;
 };
 
+/// A colour, and the spectrum that it is of if the scene gives one.
+struct ColourOrSpectrum {
+  Rgb colour;
+  std::optional<Spectrum> spectrum;
+};
+
 /// Thrown by finish() if no object is wanted: in describe(), and after only_check().
 struct DescribedEnough {};
 
@@ -123,6 +129,9 @@ class ParamReader {
   Rgb rgb(std::string_view name, Rgb fallback, SpectrumRole role, std::string_view sentence);
   /// Reads a colour like rgb() above, but the default is a named spectrum such as "metal-Cu-eta".
   Rgb rgb(std::string_view name, std::string_view named_fallback, SpectrumRole role, std::string_view sentence);
+  /// Reads a colour like rgb() above, and keeps the spectrum if it is given as one.
+  ColourOrSpectrum colour_or_spectrum(std::string_view name, Rgb fallback, SpectrumRole role,
+                                      std::string_view sentence);
   ValueOrTexture<float> number_or_texture(std::string_view name, float fallback, std::string_view unit,
                                           std::string_view sentence);
   ValueOrTexture<Rgb> rgb_or_texture(std::string_view name, Rgb fallback, SpectrumRole role, std::string_view sentence);

@@ -37,6 +37,7 @@ std::span<const Section> sections() {
       {"reading", "scenes' text and meshes in bytes per second", measure_reading},
       {"denoise", "error and flicker after 16 iterations, with --denoise and without", measure_denoise},
       {"white", "what white principled materials give back in a white furnace", measure_white},
+      {"dispersion", "prisms: frames together against one by one, and how far from white", measure_dispersion},
   };
   return kSections;
 }

@@ -29,5 +29,6 @@ Findings measure_sppm(const Setup& setup);
 Findings measure_reading(const Setup& setup);
 Findings measure_denoise(const Setup& setup);
 Findings measure_white(const Setup& setup);
+Findings measure_dispersion(const Setup& setup);
 
 }  // namespace dspm

@@ -27,9 +27,13 @@ class PhotonTracer {
       const SceneLight& light = scene_.lights[static_cast<std::size_t>(chosen.index)];
       light.states.for_each(choice.frames, [&](FrameSet frames, const Light& state) {
         const auto start = state.emit(random.pair(0, kLightPoint), random.pair(0, kLightDirection));
-        if (start)
-          branches_.push({start->ray, start->flux / (chosen.probability * static_cast<float>(photons_)), frames})
-              .random = random;
+        if (!start) return;
+        const Rgb flux = start->flux / (chosen.probability * static_cast<float>(photons_));
+        PathState& path = branches_.push({start->ray, flux, frames});
+        path.random = random;
+        // Glass may refract by the iteration's wavelength, and colours what it refracts.
+        if (scene_.disperses)
+          path.wavelength = {.nm = wavelength_of(render_.seed, static_cast<std::uint64_t>(iteration)), .weighs = true};
       });
     }
     branches_.follow(*this);

@@ -58,11 +58,18 @@ PhotonSettings global_settings(const PhotonMapSettings& s, const RenderSettings&
           .max_depth = s.max_depth,
           .least_alpha = s.least_alpha,
           .kinds = s.final_gather > 0 ? kAllPhotons : kDiffusePhotons,
-          .rays_light_media = true};
+          .rays_light_media = true,
+          .own_wavelengths = true};
 }
 PhotonSettings caustic_settings(const PhotonMapSettings& s, const RenderSettings& render) {
-  return {render.seed, render.independent_numbers, Stream::caustic_photon, s.max_depth, s.least_alpha, kCausticPhotons,
-          true};
+  return {.seed = render.seed,
+          .independent_numbers = render.independent_numbers,
+          .stream = Stream::caustic_photon,
+          .max_depth = s.max_depth,
+          .least_alpha = s.least_alpha,
+          .kinds = kCausticPhotons,
+          .hidden = true,
+          .own_wavelengths = true};
 }
 
 /// Photon settings whose guides are those in `learned`.

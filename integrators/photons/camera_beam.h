@@ -20,6 +20,7 @@ struct CameraBeam {
   StrandList strands = 0;  // in the tile's table
   int pixel = 0;
   bool caught = false;
+  bool is_alone = false;                    // as in HitPoint
   bool of_media = false;                    // as in SeenLight
   int medium = -1;                          // into the scene's
   float radius = 0;                         // initial, where the ray begins: see HitPoint

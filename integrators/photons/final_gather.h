@@ -43,7 +43,7 @@ class FinalGather {
       path.random =
           PathRandom(render_.seed, Stream::final_gather, camera_path_index(render_, x, y),
                      iteration * static_cast<std::uint64_t>(settings_.rays) + static_cast<std::uint64_t>(ray));
-      path.throughput = hit.throughput / static_cast<float>(settings_.rays);
+      path.throughput = hit.throughput / static_cast<float>(settings_.rays), path.wavelength = hit.wavelength;
       path.frames = hit.frames, path.from = &hit;
       const auto sample = sample_bsdf(*scattering.bsdf, path, scattering.wo, Transport::radiance, scattering.lobes);
       if (!sample) continue;
@@ -87,7 +87,7 @@ class FinalGather {
     HitPoint hit = *path.from;
     hit.p = point.p, hit.ng = dot(vertex.wo, point.ng) < 0 ? -point.ng : point.ng;
     hit.face = ShapeFace(vertex.hit.shape, point.ng, vertex.wo);
-    hit.throughput = path.throughput, hit.frames = path.frames;
+    hit.throughput = path.throughput, hit.frames = path.frames, hit.wavelength = path.wavelength;
     const Scattering scattering{BsdfSlot::copy_of(bsdf),
                                 vertex.wo,
                                 point.p_error,

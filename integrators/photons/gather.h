@@ -15,49 +15,10 @@
 #include "dspm/base/system/parallel.h"
 #include "dspm/integrators/photons/hit_point_tile.h"
 #include "dspm/integrators/photons/photon_map.h"
+#include "dspm/integrators/photons/same_surface.h"
 #include "dspm/integrators/transport/light_value.h"
 
 namespace dspm {
-
-/// Counts photons that arrive at the front of a surface. Those that arrive at its back do not count, unless its lobes
-/// transmit.
-class SurfaceSide {
- public:
-  explicit SurfaceSide(const HitPoint& hit) : normal_(_mm_setr_ps(hit.ng.x, hit.ng.y, hit.ng.z, 0)) {}
-  bool counts(const GatheredPhoton& photon) const {
-    return _mm_cvtss_f32(_mm_dp_ps(photon.wi_lanes(), normal_, 0x71)) > 0;
-  }
-
- private:
-  __m128 normal_;
-};
-
-/// Counts photons of both sides of a surface that transmits, but not those of another surface close by, such as the
-/// other side of a thin slab or the next of two sheets: they must have come to the same side, as its outward normal
-/// tells the two apart, of the same shape or of one that goes on in the same plane.
-class SameSurface {
- public:
-  /// `ng` is on the side of `face`, `p_error` is the error of p, and photons are sought within `radius`.
-  SameSurface(const Vec3& p, const Vec3& ng, const Vec3& p_error, ShapeFace face, float radius)
-      : p_(p), ng_(ng), face_(face), rounding_(2 * dot(abs(ng), p_error)), flat_(kFlat * radius + rounding_) {}
-  SameSurface(const HitPoint& hit, const Scattering& scattering, float radius)
-      : SameSurface(hit.p, hit.ng, scattering.p_error, hit.face, radius) {}
-
-  /// Returns whether a photon at p that has come to `face` from wi counts.
-  bool counts(const Vec3& p, const Vec3& wi, ShapeFace face) const {
-    const float off = std::abs(dot(p - p_, ng_));
-    if (off <= rounding_) return true;  // whichever way the parts of a plane are wound
-    const bool from_here = dot(wi, ng_) > 0, same_face = face.is_inner() == face_.is_inner();
-    return from_here == same_face && (face.shape() == face_.shape() || off <= flat_);
-  }
-
- private:
-  static constexpr float kFlat = 1e-3f;  // of the radius: how far apart the shapes of one plane may be
-
-  Vec3 p_, ng_;
-  ShapeFace face_;
-  float rounding_, flat_;
-};
 
 /// The work of gathers: points, photons found, and distance tests.
 struct GatherCounts {
@@ -66,13 +27,30 @@ struct GatherCounts {
   Rejections rejections;
 };
 
-/// Calls fn(strands, frames, flux times f as RgbLanes, distance squared, group) for every photon within sqrt(radius2)
-/// that counts for the hit point in some frame: photons arriving at the back of the surface do not, unless its lobes
-/// transmit, and then only those of the same surface. The caller applies the throughput and the photon's strands, which
-/// are mostly null. For group(), see PhotonMap.
-template <class Fn>
-void gather_by_group(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map, float radius2,
-                     GatherCounts& counts, Fn&& fn) {
+/// The flux of photons as it is.
+struct AllColours {
+  static RgbLanes lanes(const GatheredPhoton& photon) { return photon.flux_lanes(); }
+  static const Rgb& rgb(const GatheredPhoton& photon) { return photon.flux; }
+};
+
+/// The flux of photons some of which have one wavelength alone, as a hit point finds it: with the hue, unless its throughput or
+/// its f have it.
+struct SomeOfOneWavelength {
+  const HitPoint& hit;
+  const Scattering* scattering;
+  RgbLanes hue;
+
+  RgbLanes lanes(const GatheredPhoton& photon) const {
+    if (!photon.has_one_wavelength()) return photon.flux_lanes();
+    const bool has_hue = hit.wavelength.alone || (scattering && scattering->bsdf->disperses(scattering->wo, photon.wi));
+    return photon.flux_lanes(has_hue ? RgbLanes(Rgb(1)) : hue);
+  }
+  Rgb rgb(const GatheredPhoton& photon) const { return lanes(photon).rgb(); }
+};
+
+template <class Flux, class Fn>
+void gather_flux(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map, float radius2,
+                 GatherCounts& counts, const Flux& flux_of, Fn&& fn) {
   counts.gathers.add(hit.frames.count());
   SharedCount within;
   if (!scattering) {  // separate, since most gather time is spent in this loop
@@ -82,7 +60,7 @@ void gather_by_group(const HitPoint& hit, const Scattering* scattering, const Ph
           const FrameSet frames = photon.frames & hit.frames;
           within.add(frames.count());
           if (!frames.empty() && side.counts(photon))
-            fn(strands_of(photon), frames, photon.flux_lanes(), distance2, [&] { return details.group(); });
+            fn(strands_of(photon), frames, flux_of.lanes(photon), distance2, [&] { return details.group(); });
         });
   } else {
     const SameSurface surface(hit, *scattering, std::sqrt(radius2));
@@ -94,7 +72,7 @@ void gather_by_group(const HitPoint& hit, const Scattering* scattering, const Ph
           if (scattering->transmits ? !surface.counts(details.p(), photon.wi, details.face())
                                     : !(dot(photon.wi, hit.ng) > 0))
             return;
-          const Rgb flux = photon.flux * scattering->scattered(photon.wi);
+          const Rgb flux = flux_of.rgb(photon) * scattering->scattered(photon.wi);
           if (!is_light(flux))
             counts.rejections.add({SceneElement::Kind::material, scattering->material}, frames, hit.pixel);
           fn(strands_of(photon), frames, RgbLanes(is_light(flux) ? flux : Rgb()), distance2,
@@ -102,6 +80,18 @@ void gather_by_group(const HitPoint& hit, const Scattering* scattering, const Ph
         });
   }
   counts.found += within;
+}
+
+/// Calls fn(strands, frames, flux times f as RgbLanes, distance squared, group) for every photon within sqrt(radius2)
+/// that counts for the hit point in some frame: photons arriving at the back of the surface do not, unless its lobes
+/// transmit, and then only those of the same surface. The caller applies the throughput and the photon's strands, which
+/// are mostly null. For group(), see PhotonMap.
+template <class Fn>
+void gather_by_group(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map, float radius2,
+                     GatherCounts& counts, Fn&& fn) {
+  if (map.only_nm() == 0) return gather_flux(hit, scattering, map, radius2, counts, AllColours{}, fn);
+  gather_flux(hit, scattering, map, radius2, counts, SomeOfOneWavelength{hit, scattering, RgbLanes(hue(map.only_nm()))},
+              fn);
 }
 
 /// Calls fn without the group; otherwise the same as gather_by_group().

@@ -36,7 +36,8 @@ void gather_beam(const CameraBeam& beam, const HitPointTile& tile, const MediumP
     within.add(frames.count());
     if (frames.empty() || !wanted(photon.light)) return;
     const float phase = photon.phase.pdf_w(photon.w, -beam.ray.direction);
-    const Rgb radiance = photon.flux * section.left_at(distance) * (phase / kernel_size(radius2));
+    const Rgb radiance = photon.flux * hue_of_found(photon.only_nm, beam.is_alone) * section.left_at(distance) *
+                         (phase / kernel_size(radius2));
     for_each_strand(found.strands, frames, [&](FrameSet alike, const Rgb& weight) { add(alike, radiance * weight); });
   });
   counts.found += within;

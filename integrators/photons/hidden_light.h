@@ -38,7 +38,9 @@ void gather_on_curve(const HitPoint& hit, const Scattering& scattering, const Hi
     within.add(frames.count());
     if (frames.empty()) return;
     const Rgb f = scattering.bsdf->evaluate(scattering.wo, photon.wi, Transport::radiance, scattering.lobes);
-    const Rgb flux = photon.flux * f * (irradiance * std::abs(dot(photon.wi, strip.ns)) * kernel_size(radius2));
+    const bool has_hue = hit.wavelength.alone || scattering.bsdf->disperses(scattering.wo, photon.wi);
+    const float share = irradiance * std::abs(dot(photon.wi, strip.ns)) * kernel_size(radius2);
+    const Rgb flux = photon.flux * hue_of_found(photon.only_nm, has_hue) * f * share;
     if (!is_light(flux))
       return counts.rejections.add({SceneElement::Kind::material, scattering.material}, frames, hit.pixel);
     fn(strands, frames, RgbLanes(flux), 0.f, group);

@@ -71,6 +71,7 @@ class HitPointWriter {
     hit.face = ShapeFace(vertex.hit.shape, point.ng, vertex.wo);
     hit.throughput = ended.throughput, hit.strands = ended.strands;
     hit.frames = ended.frames, hit.pixel = path.pixel, hit.indirect = path.indirect, hit.caught = path.caught;
+    hit.wavelength = path.wavelength;
     hit.radius = radius(path);
     if (&hit_points == &tile_.hit_points)
       tile_.radii_in_pixels += static_cast<double>(hit.radius / path.camera->pixel_spacing(path.length));
@@ -97,6 +98,7 @@ class HitPointWriter {
     beam.ray = path.ray, beam.begin = section.begin, beam.end = section.end;
     beam.throughput = path.throughput, beam.frames = path.frames, beam.strands = path.strands;
     beam.pixel = path.pixel, beam.caught = path.caught, beam.of_media = path.of_media, beam.medium = path.inside.medium;
+    beam.is_alone = path.wavelength.alone;
     beam.radius = settings_.radius, beam.least = beam.most = settings_.radius;
     if (!(settings_.radius > 0)) {
       beam.radius = near, beam.spread = pixels(length + 1) - near;

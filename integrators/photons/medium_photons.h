@@ -24,9 +24,10 @@ struct MediumPhoton {
   Rgb flux;  // in W, of what is scattered
   HenyeyGreenstein phase;
   FrameSet frames;
-  StrandList strands = 0;  // in its trace's table
-  int light = -1;          // the light that it comes from: an index of the scene
-  int medium;              // likewise
+  StrandList strands = 0;    // in its trace's table
+  int light = -1;            // the light that it comes from: an index of the scene
+  int medium;                // likewise
+  std::int16_t only_nm = 0;  // as in Photon
 };
 
 /// Photons of one medium that exist in the same frames have a hierarchy of boxes of their own if they are many, so that a beam

@@ -2,6 +2,9 @@
 // gather.h reads them. [WG12 4.2]
 #pragma once
 
+#include <cmath>
+#include <cstdint>
+
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/colour/rgb_lanes.h"
 #include "dspm/base/math/frames.h"
@@ -19,22 +22,36 @@ struct Photon {
   FrameSet frames;
   StrandList strands = 0;  // in its trace's table: factors to the flux by frame, if they differ
   int light = -1;          // the light that it comes from: an index of the scene
+  // Its light has this wavelength alone, whose hue it still lacks (wavelength.h), in nm; 0: it has all colours.
+  std::int16_t only_nm = 0;
 };
 
 /// The data of a photon that a gather needs apart from its position: half a cache line. A read of three lanes loads
 /// four; the fourth, bytes of the next member, is ignored.
 struct alignas(32) GatheredPhoton {
   Vec3 wi;
-  Rgb flux;
+  Rgb flux;  // with its signs reversed if the photon has one wavelength alone
   FrameSet frames;
 
+  GatheredPhoton() = default;
+  explicit GatheredPhoton(const Photon& photon)
+      : wi(photon.wi), flux(photon.only_nm == 0 ? photon.flux : -1 * photon.flux), frames(photon.frames) {}
+
   __m128 wi_lanes() const { return _mm_load_ps(&wi.x); }
+  bool has_one_wavelength() const { return std::signbit(flux.r); }
+  /// Of a photon of all colours.
   RgbLanes flux_lanes() const { return RgbLanes(_mm_loadu_ps(&flux.r)); }
+  /// Of one that has one wavelength, if it has this hue.
+  RgbLanes flux_lanes(RgbLanes hue) const {
+    return RgbLanes(_mm_mul_ps(_mm_andnot_ps(_mm_set1_ps(-0.f), flux_lanes().lanes), hue.lanes));
+  }
 };
 static_assert(sizeof(GatheredPhoton) == 32);
 
 /// A photon whose flux differs between its frames.
 struct GatheredStrands : GatheredPhoton {
+  GatheredStrands() = default;
+  GatheredStrands(const Photon& photon, const Strand* list) : GatheredPhoton(photon), strands(list) {}
   const Strand* strands;
 };
 

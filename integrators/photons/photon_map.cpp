@@ -79,12 +79,12 @@ void PhotonMap::build(const std::vector<PhotonTrace>& traces, int frame_count, f
     }
   });
 
-  of_lights_ = {};
+  of_lights_ = {}, only_nm_ = traces.empty() ? std::int16_t{0} : traces[0].only_nm;
   if (!traces.empty()) of_lights_ = traces[0].strands.lists_before(traces[0].own_strands);
 
   const auto build = [&](PhotonGrid<GatheredPhoton>& grid, std::size_t first, std::size_t end) {
     const auto photon = [&, at = begin[first]](std::size_t i) -> const Photon& { return *photons_[at + i]; };
-    const auto gathered = [&](std::size_t i) { return GatheredPhoton{photon(i).wi, photon(i).flux, photon(i).frames}; };
+    const auto gathered = [&](std::size_t i) { return GatheredPhoton(photon(i)); };
     grid.build(begin[end] - begin[first], cell_size, photon, gathered, told_apart());
   };
   of_frame_.resize(by_frame ? frames : 0);
@@ -100,9 +100,7 @@ void PhotonMap::build(const std::vector<PhotonTrace>& traces, int frame_count, f
 
 void PhotonMap::build_with_strands(std::size_t first, float cell_size) {
   const auto photon = [&](std::size_t i) -> const Photon& { return *photons_[first + i]; };
-  const auto gathered = [&](std::size_t i) {
-    return GatheredStrands{{photon(i).wi, photon(i).flux, photon(i).frames}, strands_[i]};
-  };
+  const auto gathered = [&](std::size_t i) { return GatheredStrands(photon(i), strands_[i]); };
   with_strands_.build(strands_.size(), cell_size, photon, gathered, told_apart());
 }
 

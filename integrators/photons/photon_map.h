@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -37,6 +38,8 @@ class PhotonMap {
     return strands >= of_lights_.data() && strands < of_lights_.data() + of_lights_.size();
   }
   const LightGroups& groups() const { return groups_; }
+  /// The wavelength of the photons that have one alone; 0: all have all colours.
+  std::int16_t only_nm() const { return only_nm_; }
   std::size_t size() const { return photons_.size(); }
   std::size_t bytes() const;
   /// Calls fn(const GatheredPhoton&, distance squared, details) or the same with GatheredStrands for all photons within
@@ -62,6 +65,7 @@ class PhotonMap {
   static constexpr int kFewFrames = 3;  // up to this many are searched in their own grids, one by one
 
   LightGroups groups_;
+  std::int16_t only_nm_ = 0;
   Buffer<const Photon*> photons_;  // shared ones, those of each frame, those with strands
   Buffer<const Strand*> strands_;  // of the latter
   std::span<const Strand> of_lights_;

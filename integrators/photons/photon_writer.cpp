@@ -47,8 +47,8 @@ void PhotonWriter::store_in_medium(const PhotonPath& path, const PhotonOrigin& f
     Rgb flux = path.throughput * state.albedo;
     if (frames.empty() || is_black(flux)) continue;
     const StrandList strands = trace_.strands.folded(path.strands, frames, flux);
-    trace_.in_media.push_back(
-        {vertex.point, -vertex.wo, flux, state.phase, frames, strands, from.index, vertex.medium});
+    trace_.in_media.push_back({vertex.point, -vertex.wo, flux, state.phase, frames, strands, from.index, vertex.medium,
+                               path.wavelength.only_nm()});
     trace_.stored.add(frames.count());
     trace_.paths.weighted += strands != 0;
   }
@@ -58,7 +58,7 @@ Photon PhotonWriter::photon(const PhotonPath& path, const PhotonOrigin& from, co
                             FrameSet frames) {
   const StrandList strands = trace_.strands.folded(path.strands, frames, flux);
   const ShapeFace face(vertex.hit.shape, vertex.point.ng, vertex.wo);
-  return {vertex.point.p, face, vertex.wo, flux, frames, strands, from.index};
+  return {vertex.point.p, face, vertex.wo, flux, frames, strands, from.index, path.wavelength.only_nm()};
 }
 
 void PhotonWriter::count(const Photon& stored) {

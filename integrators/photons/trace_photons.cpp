@@ -4,11 +4,9 @@
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/system/parallel.h"
-#include "dspm/integrators/photons/emission_guide.h"
 #include "dspm/integrators/photons/photon_energy.h"
-#include "dspm/integrators/photons/photon_starts.h"
-#include "dspm/integrators/photons/photon_writer.h"
 #include "dspm/integrators/photons/seen_along.h"
+#include "dspm/integrators/photons/start_photons.h"
 #include "dspm/integrators/transport/branching_path.h"
 #include "dspm/integrators/transport/joint_path.h"
 #include "dspm/integrators/transport/light_value.h"
@@ -30,10 +28,16 @@ class PhotonTracer {
         out_(out),
         writer_(scene, settings, out),
         energy_(scene.frame_count(), out),
-        branches_(scene, out.paths) {}
+        branches_(scene, out.paths) {
+    wavelength_.weighs = settings.own_wavelengths;
+  }
 
   void trace(std::uint64_t path_index, std::uint64_t iteration) {
-    start(numbers_of(settings_, path_index, iteration));
+    const PathRandom random = numbers_of(settings_, path_index, iteration);
+    if (scene_.disperses)
+      wavelength_.nm =
+          settings_.own_wavelengths ? wavelength_at(static_cast<double>(random.number(0, kWavelength))) : out_.only_nm;
+    start(random);
     branches_.follow(*this);
     branches_.count_path();
     if (settings_.keep_ends)
@@ -47,41 +51,17 @@ class PhotonTracer {
   friend MediumSegment<BranchingPath<PhotonPath>>;
 
   void start(const PathRandom& random) {
-    started_.clear();
-    for (std::size_t choice = 0; choice < scene_.light_choices.size(); ++choice)
-      if (!(scene_.light_choices[choice].frames & settings_.frames).empty()) start(random, choice);
-  }
-
-  void start(const PathRandom& random, std::size_t choice) {
-    const EmissionStart chosen = start_of(settings_.guides, scene_, choice, random);
-    if (chosen.density == 0) return;
-    const SceneLight& light = scene_.lights[static_cast<std::size_t>(chosen.light)];
-    if (light.is_drowned) return;
-    const EmissionNumbers& u = chosen.numbers;
-    for (const PhotonStart& start : starts_.of(choice, chosen.light)) {
-      FrameSet frames = start.frames & settings_.frames;
-      if (frames.empty()) continue;
-      const auto emission = start.light->emit({u[0], u[1]}, {u[2], u[3]});
-      if (!emission || is_black(emission->flux)) continue;
-      if (light.glow.medium != kNoMedium && (frames = frames_in(light.glow, scene_, emission->ray, frames)).empty())
-        continue;
-      const Rgb flux = emission->flux * start.factor / chosen.density * settings_.flux;
-      if (!is_light(flux) || !is_finite(emission->ray)) {
-        reject(frames, {SceneElement::Kind::light, chosen.light});
+    start_photons(scene_, settings_, starts_, random, wavelength_, started_);
+    for (const auto& [start, from, varied, is_valid] : started_) {
+      if (!is_valid) {
+        reject(start.frames, {SceneElement::Kind::light, from.index});
         continue;
       }
-      PhotonPath& path = branches_.push({{emission->ray, flux, frames}});
-      path.start = static_cast<int>(started_.size());
-      const LightStart place{emission->ray, emission->normal, emission->primitive};
-      started_.push_back({light, *start.light, place, emission->must_reach, chosen.light, light_seen(*emission)});
-      path.random = random, path.strands = start.strands, path.inside = start.inside;
-      path.inside.medium = light.media.medium_towards(!(dot(emission->normal, emission->ray.direction) < 0));
-      path.hidden = settings_.hidden && light.is_delta, path.caustics = light.caustics;
-      if (start.varied != nullptr && !weigh(path, *start.varied, chosen.light)) {
+      PhotonPath& path = branches_.push(start);
+      if (varied == nullptr || weigh(path, *varied, from.index))
+        balance(path, path.frames, &EnergyBalance::emitted);
+      else
         branches_.drop();
-        continue;
-      }
-      balance(path, path.frames, &EnergyBalance::emitted);
     }
   }
 
@@ -229,8 +209,11 @@ class PhotonTracer {
   const Scene& scene_;
   const PhotonSettings& settings_;
   const PhotonStarts& starts_;
-  const PhotonOrigin& started(const PhotonPath& path) const { return started_[static_cast<std::size_t>(path.start)]; }
-  std::vector<PhotonOrigin> started_;  // of the path that is traced
+  const PhotonOrigin& started(const PhotonPath& path) const {
+    return started_[static_cast<std::size_t>(path.start)].from;
+  }
+  std::vector<StartedPhoton> started_;  // of the path that is traced
+  Wavelength wavelength_;               // likewise
   PhotonTrace& out_;
   PhotonWriter writer_;
   PhotonEnergy energy_;
@@ -271,10 +254,13 @@ std::size_t bytes_of(const std::vector<PhotonTrace>& traces) {
 std::vector<PhotonTrace> trace_photons(const Scene& scene, const PhotonSettings& settings, std::uint64_t iteration,
                                        std::int64_t first, std::int64_t end, std::vector<PhotonTrace> reuse) {
   const PhotonStarts starts(scene, settings.share_paths);
+  const bool shares_wavelength = scene.disperses && !settings.own_wavelengths;
+  const std::int16_t only_nm = shares_wavelength ? wavelength_of(settings.seed, iteration) : std::int16_t{0};
   reuse.resize(static_cast<std::size_t>(chunk_count(end - first, settings.paths_per_trace)));
   parallel_chunks(end - first, settings.paths_per_trace, [&](std::int64_t chunk, std::int64_t chunk_end) {
     PhotonTrace& trace = reuse[static_cast<std::size_t>(chunk / settings.paths_per_trace)];
     clear(trace, starts.strands());
+    trace.only_nm = only_nm;
     PhotonTracer tracer(scene, settings, starts, trace);
     for (std::int64_t i = first + chunk; i < first + chunk_end; ++i)
       tracer.trace(static_cast<std::uint64_t>(i), iteration);

@@ -43,6 +43,7 @@ struct PhotonSettings {
   bool rays_tell = false;                 // no direct photons of lights that is_told_by_a_ray() are stored
   bool rays_light_media = false;          // no direct photons are stored in media
   float flux = 1;                         // what that of every path is multiplied by
+  bool own_wavelengths = false;           // paths have wavelengths of their own, and photons have their hues
   bool keep_ends = false;                 // the traces say which photons are of which path
   bool keep_seen = false;                 // the traces say what rays see along the photons, see PhotonTrace::seen
   std::int64_t paths_per_trace = 2048;    // one thread traces them; fewer than these are better shared out
@@ -69,6 +70,7 @@ struct PhotonTrace {
   PathCounts paths;
   SharedCount stored;
   std::vector<EnergyBalance> energy;  // by frame
+  std::int16_t only_nm = 0;           // of photons that lack their hue, see Photon
   Rejections rejections;
 };
 

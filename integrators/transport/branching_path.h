@@ -83,7 +83,8 @@ class BranchingPath {
   void arrive_at_surface(const Path& path, const FrameHit& part, Tracer& tracer) {
     FrameHit whole = part;  // with the whole length of the segment
     whole.hit.t += path.passed;
-    const Vertex vertex(scene_, path.ray, whole, path.diameter(whole.hit.t));
+    Vertex vertex(scene_, path.ray, whole, path.diameter(whole.hit.t));
+    vertex.point.wavelength = path.wavelength;
     parted_ |= vertex.differs();
     if (!is_finite(vertex.point)) return tracer.lost(path, part.frames, vertex.shape_element());
     const auto show = [&](const Path& arrived, const Vertex& met) {
@@ -98,6 +99,7 @@ class BranchingPath {
       dim(path, boundary.arriving, boundary.frames, whole.hit.t, tracer, [&](const Path& left) {
         Vertex met = vertex;
         met.frames = left.frames, met.point.outside_eta = boundary.outside_eta;
+        met.point.outside_dispersion = boundary.outside_dispersion;
         show(left, met);
       });
     }

@@ -27,7 +27,7 @@ class ClearSight {
   template <class Rough, class Nothing>
   void follow(CameraPath path, const Vertex& first, Rough&& rough, Nothing&& nothing) {
     Tracer<Rough, Nothing> tracer{branches_, rough, nothing};
-    path.throughput = Rgb(1);
+    path.throughput = Rgb(1), path.wavelength = {};  // glass bends what is seen by its mean index
     tracer.arrived(path, first);
     branches_.follow(tracer);
   }

@@ -22,7 +22,7 @@ struct Scattered {
   std::optional<Rgb> along(const Scattered& first) const {
     const BsdfSample& s = first.sample;
     const bool same = sample.wi == s.wi && sample.specular == s.specular && sample.eta_scale == s.eta_scale &&
-                      sample.ahead == s.ahead;
+                      sample.ahead == s.ahead && sample.by_wavelength == s.by_wavelength;
     // A camera path weighs the lights that it hits by the density; it only follows smooth lobes.
     const bool same_weights = rough || sample.pdf_w == s.pdf_w;
     return same && rough == first.rough && same_weights ? std::optional(factor) : std::nullopt;

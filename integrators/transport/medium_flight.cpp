@@ -10,8 +10,6 @@ constexpr int kColour = 1 << 19, kFirstFlight = kColour + 1;  // apart from the 
 
 Rgb exp_minus(const Rgb& depth) { return {std::exp(-depth.r), std::exp(-depth.g), std::exp(-depth.b)}; }
 
-float mean(const Rgb& c) { return (c.r + c.g + c.b) / 3; }
-
 template <class T, class Predicate>
 void erase_if(FrameArray<T>& array, Predicate&& predicate) {
   array.shrink(static_cast<std::size_t>(std::remove_if(array.begin(), array.end(), predicate) - array.begin()));

@@ -9,7 +9,7 @@ namespace {
 /// list.
 Boundary boundary_between(const Vertex& vertex, FrameSet frames, const Material& own, std::span<const int> others,
                           std::span<const Material* const> states, const Inside& inside) {
-  Boundary boundary{frames, true, 1, inside};
+  Boundary boundary{frames, true, inside};
   std::array<const Material*, Inside::kMost> around{};
   std::copy(states.begin(), states.end(), around.begin());
   if (vertex.leads_inside(vertex.wo) && !inside.contains(vertex.body)) {
@@ -23,10 +23,10 @@ Boundary boundary_between(const Vertex& vertex, FrameSet frames, const Material&
   const Material* top = top_of(std::span(around).first(others.size()));
   if (top == nullptr || top->priority() == own.priority()) return boundary;
   // What emits light is there in any case: it is a light, wherever it is.
-  if (top->priority() < own.priority() || vertex.shape.light >= 0)
-    boundary.outside_eta = top->eta();
-  else
-    boundary.is_there = false;
+  boundary.is_there = top->priority() < own.priority() || vertex.shape.light >= 0;
+  if (!boundary.is_there) return boundary;
+  boundary.outside_eta = top->eta();
+  boundary.outside_dispersion = top->eta_at(vertex.point.wavelength) / top->eta();
   return boundary;
 }
 
@@ -37,7 +37,7 @@ FrameArray<Boundary> boundaries_of(const Scene& scene, const Vertex& vertex, con
   Inside others = inside;
   others.leave(vertex.body);
   if (vertex.body == kNoBody || others.is_empty()) {
-    Boundary& only = boundaries.add({vertex.frames, true, 1, inside});
+    Boundary& only = boundaries.add({vertex.frames, true, inside});
     if (vertex.leads_inside(vertex.wo)) only.arriving.enter(vertex.body);
     return boundaries;
   }
@@ -47,7 +47,7 @@ FrameArray<Boundary> boundaries_of(const Scene& scene, const Vertex& vertex, con
                    [&](FrameSet frames, std::span<const Material* const> states) {
                      const Boundary boundary =
                          states[0] == nullptr
-                             ? Boundary{frames, true, 1, others}
+                             ? Boundary{frames, true, others}
                              : boundary_between(vertex, frames, *states[0], others.bodies(), states.subspan(1), inside);
                      for (Boundary& known : boundaries)
                        if (known.is_like(boundary)) return static_cast<void>(known.frames |= frames);

@@ -53,12 +53,14 @@ void for_each_nesting(const Scene& scene, std::span<const int> bodies, FrameSet 
 /// A surface as a path meets it, in some frames.
 struct Boundary {
   FrameSet frames;
-  bool is_there;      // else it lies in a body of higher priority
-  float outside_eta;  // see SurfacePoint
-  Inside arriving;    // the bodies that the path's segment lay in
+  bool is_there;    // else it lies in a body of higher priority
+  Inside arriving;  // the bodies that the path's segment lay in
+  // See SurfacePoint.
+  float outside_eta = 1, outside_dispersion = 1;
 
   bool is_like(const Boundary& o) const {
-    return is_there == o.is_there && outside_eta == o.outside_eta && arriving == o.arriving;
+    return is_there == o.is_there && outside_eta == o.outside_eta && outside_dispersion == o.outside_dispersion &&
+           arriving == o.arriving;
   }
 };
 

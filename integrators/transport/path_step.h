@@ -34,6 +34,7 @@ struct PathState {
   Inside inside = {};      // the bodies that the next segment lies in, see nesting.h
   float passed = 0;        // what it has passed of the next segment, through surfaces that are not there
   Flights flights = {};    // through media
+  Wavelength wavelength = {};
 
   /// The diameter, in the world, of what the path stands for at the end of its next segment: textures average over it.
   float diameter(float /*segment*/) const { return 0; }
@@ -220,6 +221,7 @@ inline std::optional<BsdfSample> sample_bsdf(const Bsdf& bsdf, const PathState& 
 /// Starts the path's next segment along the sampled direction; the caller updates the throughput.
 inline void extend_ray(PathState& path, const SurfacePoint& point, const BsdfSample& sample) {
   path.eta_scale *= sample.eta_scale;
+  path.wavelength.alone |= sample.by_wavelength;
   path.ray = point.spawn(sample.wi), path.passed = 0, path.flights.numbers = 0;
   ++path.bounces;
   if (sample.ahead) path.walk = Walk(*sample.ahead);

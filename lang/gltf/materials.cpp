@@ -1,5 +1,6 @@
-// [glTF 2.0, 3.9 and appendix B; KHR_materials_anisotropy, _clearcoat, _diffuse_transmission, _emissive_strength, _ior,
-// _iridescence, _sheen, _specular, _transmission, _unlit, _volume, _volume_scatter; KHR_texture_transform; EXT_texture_webp]
+// [glTF 2.0, 3.9 and appendix B; KHR_materials_anisotropy, _clearcoat, _diffuse_transmission, _dispersion,
+// _emissive_strength, _ior, _iridescence, _sheen, _specular, _transmission, _unlit, _volume, _volume_scatter;
+// KHR_texture_transform; EXT_texture_webp]
 #include "dspm/lang/gltf/materials.h"
 
 #include <algorithm>
@@ -185,8 +186,10 @@ class MaterialTranslator {
     const Value volume = material_.extension("KHR_materials_volume");
     const Value beyond = material_.extension("KHR_materials_diffuse_transmission");
     if (const double eta = ior(); eta != 0) material().number("eta", std::max(eta, 1.0), kUsualIor);
-    if (material_.extension("KHR_materials_dispersion").exists())
-      note("KHR_materials_dispersion is left out: dspm renders red, green and blue with one index of refraction");
+    // 20 over the Abbe number; principled takes Abbe numbers from 1.
+    if (const double dispersion = material_.extension("KHR_materials_dispersion")["dispersion"].number(0);
+        dispersion > 0)
+      material().number("abbe", std::max(20 / dispersion, 1.0), 0);
     if (beyond.exists()) {
       number("diffusetransmission", beyond["diffuseTransmissionFactor"].number(0), beyond["diffuseTransmissionTexture"],
              "alpha");

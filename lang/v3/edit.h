@@ -89,6 +89,4 @@ class Edit {
   std::vector<Directive> before_, after_;
 };
 
-inline float mean(const Rgb& c) { return (c.r + c.g + c.b) / 3; }
-
 }  // namespace dspm::v3

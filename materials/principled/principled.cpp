@@ -13,6 +13,7 @@
 //   anisotropy            float texture       0      0 to 1: highlights are longer along the first tangent
 //   anisotropyrotation    float texture       0      degrees, from the first tangent towards the second
 //   eta (or ior)          float or spectrum   1.5    index of refraction of the dielectric, at least 1
+//   abbe, glass           float, string       none   as those of dielectric.cpp, for a body of glass
 //   specular              float texture       1      times what the opaque dielectric mirrors
 //   specularcolor         spectrum texture    1      of that, straight on, where no more than all light is mirrored: may
 //                                                    exceed 1; at grazing angles it is white
@@ -60,10 +61,14 @@
 // facets lose at the film's mean reflectance, to 2%. The coat follows the shape, whatever the normal map of the base,
 // unless it has normals of its own. A mirror whose normal leans so far that the camera would see it mirror the surface
 // itself is bent until it does not (tilt.h).
-// Not there: subsurface scattering; dispersion, as dspm renders in RGB.
+// If the index of glass differs with the wavelength, light that passes it is refracted by that of the iteration
+// (wavelength.h); what facets mirror outside keeps all colours.
+// Not there: subsurface scattering.
 // [Burley 2012, 2015; glTF 2.0, appendix B and KHR_materials_anisotropy, _clearcoat, _diffuse_transmission,
 // _emissive_strength, _ior, _iridescence, _sheen, _specular, _transmission, _volume;
 // Estevez and Kulla 2017, Production Friendly Microfacet Sheen BRDF]
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -78,12 +83,15 @@
 #include "dspm/materials/per_surroundings.h"
 #include "dspm/materials/principled/principled_bsdf.h"
 #include "dspm/materials/principled/principled_tables.h"
+#include "dspm/materials/refractive_index.h"
 #include "dspm/materials/shading_frame.h"
 
 namespace dspm {
 namespace {
 
 constexpr float kLeastEta = 1.01f;  // rough boundaries of less hardly bend light, and rounding decides where it goes
+
+float away_from_one(float eta, bool less) { return less ? std::min(eta, 1 / kLeastEta) : std::max(eta, kLeastEta); }
 
 float square(float x) { return x * x; }
 
@@ -123,8 +131,9 @@ class PrincipledMaterial final : public Material {
     anisotropy_ = read.share("anisotropy", 0, "0 to 1: highlights are longer along the first tangent");
     rotation_ = read.number("anisotropyrotation", "degrees", "of that tangent, towards the second");
     reader.alias("ior", "eta");
-    const float eta = read_eta(reader);
-    if (eta < 1) reader.error("eta", "parameter \"eta\" of " + reader.subject() + " must be at least 1");
+    index_ = read_refractive_index(reader);
+    const float eta = index_.mean();
+    if (index_.lowest() < 1) reader.error("eta", "parameter \"eta\" of " + reader.subject() + " must be at least 1");
     specular_ = read.share("specular", 1, "times what the opaque dielectric mirrors");
     specular_colour_ =
         read.colour("specularcolor", 1, "of that, straight on; at grazing angles it is white", SpectrumRole::unbounded);
@@ -147,6 +156,12 @@ class PrincipledMaterial final : public Material {
     texture_of(read_opacity(reader), context.textures, reader.diagnostics());
     texture_of(read_emission_look(reader).colour, context.textures, reader.diagnostics());
     eta_ = std::max(eta, kLeastEta);
+    if (index_.disperses() && !bounds_a_body())
+      for (const char* name : {"eta", "glass", "abbe"})
+        if (reader.has(name))
+          reader.diagnostics().note(reader.where(name),
+                                    fmt::format("{} has no dispersion: eta is {:.4g}", reader.subject(), eta),
+                                    "only a body of glass, with \"transmission\" and not \"thin\", has it");
   }
 
   /// Call this after the parameters have been checked.
@@ -155,8 +170,7 @@ class PrincipledMaterial final : public Material {
     const PrincipledUses uses{anisotropy_->constant() != 0.f, transmission_->constant() != 0.f, layers};
     tables_.emplace([this, uses](float outside) {
       const float eta = eta_ / outside;
-      return principled_tables(eta < 1 ? std::min(eta, 1 / kLeastEta) : std::max(eta, kLeastEta), thin_, film_eta_,
-                               uses);
+      return principled_tables(away_from_one(eta, eta < 1), thin_, film_eta_, uses);
     });
     is_linear_ = metallic_->constant() == 0.f && transmission_->constant() == 0.f && !coat_relief_ &&
                  is_same_everywhere(beyond_, roughness_, anisotropy_, rotation_, specular_, specular_colour_, coat_,
@@ -184,12 +198,19 @@ class PrincipledMaterial final : public Material {
                               coat_normal(point),
                               number(iridescence_),
                               std::max(0.f, film_nm_->evaluate(at))};
-    return slot.emplace<Principled>(frame(point, rotation_->evaluate(at)), tables_->of(point.outside_eta), look);
+    const PrincipledTables& tables = tables_->of(point.outside_eta);
+    Refraction refraction(index_, point);
+    refraction.eta = refraction.disperses() ? away_from_one(refraction.eta, tables.eta < 1) : tables.eta;
+    return slot.emplace<Principled>(frame(point, rotation_->evaluate(at)), tables, refraction, look);
   }
   /// Only the ground is linear, in its two colours.
   bool is_linear() const override { return is_linear_; }
   bool bounds_a_body() const override { return !thin_ && transmission_->constant() != 0.f; }
   float eta() const override { return eta_; }
+  float eta_at(const Wavelength& wavelength) const override {
+    return index_.disperses() ? index_.at(wavelength) : eta_;
+  }
+  bool disperses() const override { return index_.disperses() && bounds_a_body(); }
   Rgb absorption() const override { return absorption_; }
 
  private:
@@ -221,6 +242,7 @@ class PrincipledMaterial final : public Material {
   TexturePtr<float> metallic_, transmission_, beyond_, roughness_, anisotropy_, rotation_, specular_, coat_,
       coat_roughness_, sheen_roughness_;
   bool thin_, is_linear_ = false;
+  RefractiveIndex index_{1.5f};
   float eta_, film_eta_;
   Rgb absorption_;
   std::optional<PerSurroundings<PrincipledTables>> tables_;

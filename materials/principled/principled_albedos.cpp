@@ -91,7 +91,7 @@ float PrincipledLayers::sent_back(float cos_facet, const Way& o, const Way& i) c
 /// film's most gain.
 float PrincipledLayers::mirrored_by_dielectric(const Way& w, float more) const {
   if (smooth_) {
-    const float usual = max_component(dielectric_facet(w.cos));
+    const float usual = max_component(dielectric_facet(w.cos, tables_.eta));
     return specular_ * std::max(0.f, usual + more * (1 - usual));
   }
   const float bare = of_dielectric().of(w.cos, w.turn);
@@ -146,7 +146,7 @@ Rgb PrincipledLayers::made_up_by_glass(const Way& o, const Way& i) const {
   Rgb share, sum;
   for (const float cos : {0.95f, 0.7f, 0.4f}) {
     const float usual = fresnel_dielectric(cos, tables_.eta);
-    share += (dielectric_facet(cos) - Rgb(usual)) / (3 * (1 - usual));
+    share += (dielectric_facet(cos, tables_.eta) - Rgb(usual)) / (3 * (1 - usual));
   }
   for (int c = 0; c < 3; ++c) {
     const auto lost = [&](float alone, float rest) { return std::max(0.f, alone + share[c] * rest); };

@@ -12,10 +12,13 @@
 
 namespace dspm {
 
-Principled::Principled(const ShadingFrame& frame, const PrincipledTables& tables, const PrincipledLook& look)
+Principled::Principled(const ShadingFrame& frame, const PrincipledTables& tables, const Refraction& refraction,
+                       const PrincipledLook& look)
     : tables_(&tables),
       ns_(frame.ns()),
       ng_(frame.ng()),
+      eta_(tables.thin ? tables.eta : refraction.eta),
+      wavelength_(refraction.wavelength),
       tangent_(frame.x()),
       coat_normal_(frame.local(look.coat_normal, 1)),
       base_(look.base),
@@ -43,7 +46,8 @@ Rgb Principled::evaluate(const Vec3& wo, const Vec3& wi, Transport transport, Lo
   const ShadingFrame frame = this->frame();
   const LocalPair w(frame, wo, wi, transport);
   if (!w.valid) return {};
-  return PrincipledLayers(*this, frame, w.side).f(w.wo, w.wi, transport, lobes);
+  const Rgb f = PrincipledLayers(*this, frame, w.side).f(w.wo, w.wi, transport, lobes);
+  return f * hue_of(w.side, !w.reflection());
 }
 
 float Principled::pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const {
@@ -67,11 +71,17 @@ std::optional<BsdfSample> Principled::sample(const Vec3& wo, const Vec3& u, Tran
   const auto leaving = frame.leave(drawn->i, side, transport, u.x);
   if (!leaving) return std::nullopt;
   const float scale = drawn->refracted ? transport_scale(transport, layers.eta()) : 1;
-  if (drawn->specular) return BsdfSample{leaving->wi, drawn->weight * (scale / leaving->share), 0, true, scale};
+  const bool beyond = drawn->i.z < 0;
+  BsdfSample sample{leaving->wi, hue_of(side, beyond), 0, drawn->specular, scale};
+  sample.by_wavelength = is_dispersive(side, beyond);
+  if (drawn->specular) {
+    sample.weight *= drawn->weight * (scale / leaving->share);
+    return sample;
+  }
   const float pdf_w = leaving->share * layers.density(o, drawn->i, transport, chances);
   if (!(pdf_w > 0)) return std::nullopt;
-  const Rgb f = layers.f(o, drawn->i, transport, lobes);
-  return BsdfSample{leaving->wi, f * (std::abs(drawn->i.z) / pdf_w), pdf_w, false, scale};
+  sample.weight *= layers.f(o, drawn->i, transport, lobes) * (std::abs(drawn->i.z) / pdf_w), sample.pdf_w = pdf_w;
+  return sample;
 }
 
 float Principled::lobe_probability(const Vec3& wo, LobeSet lobes) const {
@@ -83,13 +93,18 @@ float Principled::lobe_probability(const Vec3& wo, LobeSet lobes) const {
   return layers.chances(o, Transport::flux, layers.lobes(0)).of(lobes);
 }
 
+bool Principled::is_dispersive(float side, bool passes) const {
+  if (wavelength_.nm == 0 || tables_->thin || transmission_ == 0 || metallic_ == 1) return false;
+  return passes || refraction().mirrors_by_wavelength(side);
+}
+
 bool Principled::differs_in_base_from(const Principled& o) const {
-  return *tables_ == *o.tables_ && ns_ == o.ns_ && ng_ == o.ng_ && tangent_ == o.tangent_ &&
-         coat_normal_ == o.coat_normal_ && film_ == o.film_ && film_thickness_ == o.film_thickness_ &&
-         sheen_ == o.sheen_ && metallic_ == o.metallic_ && specular_ == o.specular_ && straight_ == o.straight_ &&
-         transmission_ == o.transmission_ && beyond_ == o.beyond_ &&
-         (beyond_ == 0 || beyond_colour_ == o.beyond_colour_) && alpha_x_ == o.alpha_x_ && alpha_y_ == o.alpha_y_ &&
-         coat_ == o.coat_ && coat_alpha_ == o.coat_alpha_ && sheen_alpha_ == o.sheen_alpha_;
+  return *tables_ == *o.tables_ && eta_ == o.eta_ && wavelength_ == o.wavelength_ && ns_ == o.ns_ && ng_ == o.ng_ &&
+         tangent_ == o.tangent_ && coat_normal_ == o.coat_normal_ && film_ == o.film_ &&
+         film_thickness_ == o.film_thickness_ && sheen_ == o.sheen_ && metallic_ == o.metallic_ &&
+         specular_ == o.specular_ && straight_ == o.straight_ && transmission_ == o.transmission_ &&
+         beyond_ == o.beyond_ && (beyond_ == 0 || beyond_colour_ == o.beyond_colour_) && alpha_x_ == o.alpha_x_ &&
+         alpha_y_ == o.alpha_y_ && coat_ == o.coat_ && coat_alpha_ == o.coat_alpha_ && sheen_alpha_ == o.sheen_alpha_;
 }
 
 std::optional<Rgb> Principled::ratio_to(const Bsdf& other, LobeSet lobes) const {

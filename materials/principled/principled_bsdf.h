@@ -5,6 +5,7 @@
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/bsdf.h"
 #include "dspm/materials/principled/principled_tables.h"
+#include "dspm/materials/refractive_index.h"
 #include "dspm/materials/shading_frame.h"
 #include "dspm/materials/small_number.h"
 
@@ -34,8 +35,9 @@ class Principled final : public Bsdf {
  public:
   static constexpr LobeSet kSpecular = 1, kThrough = 2, kDiffuse = 4, kCoat = 8;
 
-  /// `tables` must outlive it.
-  Principled(const ShadingFrame& frame, const PrincipledTables& tables, const PrincipledLook& look);
+  /// `tables` must outlive it; its index is the refraction's mean, but for those too close to 1.
+  Principled(const ShadingFrame& frame, const PrincipledTables& tables, const Refraction& refraction,
+             const PrincipledLook& look);
 
   LobeSet lobes(float least_alpha) const override;
   Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override;
@@ -45,10 +47,21 @@ class Principled final : public Bsdf {
   bool transmits(LobeSet lobes) const override {
     return (lobes & this->lobes(0) & (diffuses_beyond() ? kThrough | kDiffuse : kThrough)) != 0;
   }
+  bool disperses(const Vec3& wo, const Vec3& wi) const override {
+    const float side = frame().side(wo);
+    return is_dispersive(side, frame().side(wi) != side);
+  }
   std::optional<Rgb> ratio_to(const Bsdf& other, LobeSet lobes) const override;
 
  private:
   friend PrincipledLayers;
+
+  Refraction refraction() const { return {eta_, tables_->eta, wavelength_}; }
+  /// Returns whether light that passes, or is mirrored on that side, goes by its wavelength.
+  bool is_dispersive(float side, bool passes) const;
+  Rgb hue_of(float side, bool passes) const {
+    return is_dispersive(side, passes) ? wavelength_.hue_on_refraction() : Rgb(1);
+  }
 
   bool diffuses_beyond() const { return beyond_ > 0 && transmission_ < 1 && metallic_ < 1; }
   /// Returns whether the other differs in the base colour only.
@@ -58,6 +71,8 @@ class Principled final : public Bsdf {
 
   const PrincipledTables* tables_;
   Vec3 ns_, ng_;
+  float eta_;  // inside over outside, at the wavelength if there is one
+  Wavelength wavelength_;
   SmallDirection tangent_, coat_normal_;  // coat_normal_ is in the frame
   SmallRgb base_, sheen_, straight_, beyond_colour_;
   SmallNumber metallic_, specular_, transmission_, beyond_, alpha_x_, alpha_y_, coat_, coat_alpha_, sheen_alpha_;

@@ -25,6 +25,8 @@ Rgb more_than_usual(const Rgb& straight, float eta) {
 
 PrincipledLayers::PrincipledLayers(const Principled& at, const ShadingFrame& frame, float side)
     : tables_(*at.tables_),
+      eta_(at.eta_),
+      mirroring_eta_(at.refraction().mirrors_by_wavelength(side) ? eta_ : tables_.eta),
       thin_(tables_.thin),
       outside_(thin_ || side > 0),
       up_(frame.local(frame.ng() * side, side)),
@@ -88,15 +90,16 @@ Rgb PrincipledLayers::metal_facet(float cos) const {
   return film_ ? bare + (film_->over_metal(base_, cos) - bare) * under_film_ : bare;
 }
 
-Rgb PrincipledLayers::dielectric_facet(float cos) const {
-  const Rgb bare(fresnel_dielectric(cos, tables_.eta));
-  return film_ ? bare + (film_->over_dielectric(tables_.eta, cos) - bare) * under_film_ : bare;
+/// Here and below, `eta` is inside over outside.
+Rgb PrincipledLayers::dielectric_facet(float cos, float eta) const {
+  const Rgb bare(fresnel_dielectric(cos, eta));
+  return film_ ? bare + (film_->over_dielectric(eta, cos) - bare) * under_film_ : bare;
 }
 
 /// Returns a facet's reflectance. With Schlick's term s, the boundary mirrors F0 + (1 - F0) s, and this F0' + (1 - F0')
 /// s. [glTF 2.0, KHR_materials_specular]
 Rgb PrincipledLayers::opaque_facet(float cos) const {
-  const Rgb bare = dielectric_facet(cos);
+  const Rgb bare = dielectric_facet(cos, tables_.eta);
   Rgb facet;
   for (int c = 0; c < 3; ++c) facet[c] = std::max(0.f, bare[c] + (1 - bare[c]) * more_[c]);
   return facet;
@@ -104,10 +107,12 @@ Rgb PrincipledLayers::opaque_facet(float cos) const {
 
 /// Returns a facet's reflectance. From inside it mirrors what it mirrors of the light that comes the same way from
 /// outside.
-Rgb PrincipledLayers::glass_facet(float cos) const {
-  if (outside_ || !film_) return outside_ ? dielectric_facet(cos) : Rgb(fresnel_dielectric(cos, eta()));
-  const float sin2_outside = (1 - cos * cos) / (eta() * eta());
-  return sin2_outside >= 1 ? Rgb(1) : dielectric_facet(std::sqrt(1 - sin2_outside));
+Rgb PrincipledLayers::glass_facet(float cos, float eta) const {
+  if (outside_) return dielectric_facet(cos, eta);
+  const float beyond = 1 / eta;
+  if (!film_) return Rgb(fresnel_dielectric(cos, beyond));
+  const float sin2_outside = (1 - cos * cos) / (beyond * beyond);
+  return sin2_outside >= 1 ? Rgb(1) : dielectric_facet(std::sqrt(1 - sin2_outside), eta);
 }
 
 Rgb PrincipledLayers::mirrored_by_facet(float cos_facet, const Way& o, const Way& i) const {
@@ -116,12 +121,12 @@ Rgb PrincipledLayers::mirrored_by_facet(float cos_facet, const Way& o, const Way
   if (metal_ > 0) sum += metal_facet(cos_facet) * (metal_ * passed);
   if (opaque_ > 0) sum += opaque_facet(cos_facet) * (opaque_ * specular_ * passed);
   if (glass_ == 0) return sum;
-  const Rgb glass = glass_facet(cos_facet);
+  const Rgb glass = glass_facet(cos_facet, mirroring_eta_);
   return sum + (glass + (Rgb(1) - glass) * sent_back(cos_facet, o, i)) * (glass_ * over_glass(o, i));
 }
 
 Rgb PrincipledLayers::through_facet(float cos_facet, const Way& o, const Way& i) const {
-  const Rgb passes = (Rgb(1) - glass_facet(cos_facet)) * glass_;
+  const Rgb passes = (Rgb(1) - glass_facet(cos_facet, eta_)) * glass_;
   if (thin_) return base_ * passes * (o.share * i.share);
   const Rgb tint(std::sqrt(base_.r), std::sqrt(base_.g), std::sqrt(base_.b));
   return tint * passes * (outside_ ? o.left : i.left);

@@ -44,7 +44,7 @@ class PrincipledLayers {
   /// Returns whether the diffuse lobe is the base alone.
   bool only_diffuse() const;
   /// The index of refraction beyond the surface, over that on this side.
-  float eta() const { return outside_ ? tables_.eta : 1 / tables_.eta; }
+  float eta() const { return outside_ ? eta_ : 1 / eta_; }
 
   Rgb f(const Vec3& o, const Vec3& i, Transport transport, LobeSet lobes) const;
   /// Returns the probabilities of sampling `lobes`; zero for those that do not exist.
@@ -109,9 +109,9 @@ class PrincipledLayers {
   /// Return a facet's reflectance, by kind.
   Rgb metal_facet(float cos) const;
   Rgb mean_by_metal() const;
-  Rgb dielectric_facet(float cos) const;
+  Rgb dielectric_facet(float cos, float eta) const;
   Rgb opaque_facet(float cos) const;
-  Rgb glass_facet(float cos) const;
+  Rgb glass_facet(float cos, float eta) const;
   Rgb mirrored_by_facet(float cos_facet, const Way& o, const Way& i) const;
   Rgb through_facet(float cos_facet, const Way& o, const Way& i) const;
   Rgb through(const Vec3& o, const Vec3& i, const Way& way_o, const Way& way_i, Transport transport) const;
@@ -127,6 +127,8 @@ class PrincipledLayers {
                                  float chance) const;
 
   const PrincipledTables& tables_;
+  // Inside over outside, of what passes, and of what glass mirrors on this side; everything else is by that of the tables.
+  float eta_, mirroring_eta_;
   bool thin_, outside_;
   Vec3 up_, coat_normal_;  // in the frame, on this side: the geometric normal, and the coat's
   Rgb base_, sheen_, beyond_colour_;

@@ -17,8 +17,6 @@ float weight_in_choice(float brightness) {
   return brightness >= 1 / 4.f ? 1 : brightness >= 1 / 16.f ? 1 / 4.f : 1 / 16.f;
 }
 
-float mean(const Rgb& c) { return (c.r + c.g + c.b) / 3; }
-
 }  // namespace
 
 /// Counts colours in steps or not at all: frames of different colours then choose alike.
@@ -27,7 +25,7 @@ PrincipledChances PrincipledLayers::weights(const Way& o) const {
   const float metal = metal_ == 0 || smooth_ ? 1 : tables_.common.metal.of(cos_o, alpha_);
   const float dielectric = mirrored_by_dielectric(o, std::max(0.f, most_more_));
   float glass_mirrored = 0, glass = 1;
-  if (glass_ > 0 && smooth_) glass_mirrored = film_ ? mean(glass_facet(cos_o)) : fresnel_dielectric(cos_o, eta());
+  if (glass_ > 0 && smooth_) glass_mirrored = film_ ? mean(glass_facet(cos_o, eta_)) : fresnel_dielectric(cos_o, eta());
   if (glass_ > 0 && !smooth_) {
     glass = (thin_ ? tables_.common.metal : boundary().reflected_or_refracted).of(cos_o, alpha_);
     glass_mirrored = std::min(glass, boundary().reflected.of(cos_o, alpha_));

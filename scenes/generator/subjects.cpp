@@ -16,6 +16,7 @@ std::span<const Subject> subjects() {
       {"chair", "the product of chair.dsc", make_chair},
       {"studio", "the things around it", make_studio},
       {"lamp", "the product of lamp.dsc, with three shades", make_lamp},
+      {"diamond", "the stone of diamond.dsc", make_diamond},
       {"sky", "a picture of the sky, for product.dsc", make_sky},
       {"wood", "a picture of wood grain", make_wood},
       {"fabrics", "pictures of ten weaves, and 500 variations of them", make_fabrics},

@@ -20,6 +20,7 @@ void make_tableware(const std::filesystem::path& directory);
 void make_chair(const std::filesystem::path& directory);
 void make_studio(const std::filesystem::path& directory);
 void make_lamp(const std::filesystem::path& directory);
+void make_diamond(const std::filesystem::path& directory);
 void make_sky(const std::filesystem::path& directory);
 void make_wood(const std::filesystem::path& directory);
 void make_fabrics(const std::filesystem::path& directory);

@@ -187,11 +187,11 @@ class RandomScene {
         return "Material \"conductor\"" + keyed("rgb reflectance", "[.9 .6 .2]", "[.6 .7 .9]") + rough(0.1f, 0.3f) +
                "\n";
       case 14: return "Material \"conductor\"" + keyed("float roughness", "0.3", "0.02") + "\n";
-      case 15: return "Material \"dielectric\"" + keyed("float roughness", "0", "0.3") + "\n";
+      case 15: return "Material \"dielectric\" \"float abbe\" 15" + keyed("float roughness", "0", "0.3") + "\n";
       case 0: return "Material \"diffuse\" \"rgb reflectance\" [.6 .2 .3]\n";
       case 1: return "Material \"conductor\"\n";
       case 2: return "Material \"conductor\"" + rough(0.01f, 0.5f) + "\n";
-      case 3: return "Material \"dielectric\"\n";
+      case 3: return "Material \"dielectric\" \"string glass\" \"SF11\"\n";
       case 4: return "Material \"dielectric\"" + rough(0.02f, 0.4f) + "\n";
       case 5: return "Material \"thindielectric\"\n";
       case 6: return "Material \"coateddiffuse\"\n";

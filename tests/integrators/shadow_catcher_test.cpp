@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "dspm/base/params/errors.h"
 #include "dspm/base/system/state_in_memory.h"
@@ -84,6 +85,30 @@ TEST(ShadowCatcher, AlphaIsTheShareOfTheSkyThatABallHides) {
     EXPECT_NEAR(mean_of(images.alpha[1]).r, 0.0625, 0.015) << integrator;
     EXPECT_NEAR(mean_of(images.alpha[2]).r, 0, 1e-4) << integrator;  // without noise
     for (const Image& radiance : images.radiance) EXPECT_LT(max_component(mean_of(radiance)), 2e-3f) << integrator;
+  }
+}
+
+// Smoke of depth s dims the sun on its way to the floor, and the floor on its way to the camera: exp(-2 s) is left.
+TEST(ShadowCatcher, AlphaIsWhatSmokeTakes) {
+  for (const char* integrator : kIntegrators) {
+    const Seen images = seen(fmt::format(R"(
+Integrator {}
+LookAt 0 0 5  0 0 0  0 1 0
+Camera "orthographic" "float screenwindow" [-1 1 -1 1]
+Film "rgb" "integer xresolution" 8 "integer yresolution" 8 "bool transparent" true
+WorldBegin
+LightSource "distant" "rgb L" [1 1 1] "point3 from" [0 0 1] "point3 to" [0 0 0]
+Material "diffuse" "rgb reflectance" [.5 .5 .5]
+Shape "disk" "float radius" 9 "bool shadowcatcher" true
+MakeNamedMedium "smoke" "string type" "homogeneous" "rgb sigma_s" [0 0 0] "rgb sigma_a" [.4 .4 .4]
+MediumInterface "smoke" ""
+Material "interface"
+Shape "trianglemesh" "integer indices" [0 2 1 0 3 2  4 5 6 4 6 7  0 1 5 0 5 4  1 2 6 1 6 5  2 3 7 2 7 6  3 0 4 3 4 7]
+  "point3 P" [-4 -4 1  4 -4 1  4 4 1  -4 4 1  -4 -4 2  4 -4 2  4 4 2  -4 4 2])",
+                                         integrator),
+                             32);
+    EXPECT_NEAR(mean_of(images.alpha[0]).r, 1 - std::exp(-0.8f), 0.02) << integrator;
+    EXPECT_LT(max_component(mean_of(images.radiance[0])), 5e-3f) << integrator;
   }
 }
 

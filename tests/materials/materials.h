@@ -19,6 +19,9 @@ inline Param number(std::string name, float value) {
 inline Param rgb(std::string name, Rgb c) {
   return {ParamType::rgb, std::move(name), {}, std::vector<float>{c.r, c.g, c.b}, {}, {}};
 }
+inline Param text(std::string name, std::string value) {
+  return {ParamType::text, std::move(name), {}, std::vector<std::string>{std::move(value)}, {}, {}};
+}
 inline Param flag(std::string name, bool value) {
   return {ParamType::boolean, std::move(name), {}, std::vector<bool>{value}, {}, {}};
 }
@@ -111,6 +114,14 @@ inline std::vector<Named> all_materials() {
   add_rough(" lossy", {alpha(0.4f), flag("energycompensation", false)});
   all.push_back({"dense glass", make("dielectric", {number("eta", 2.4f), alpha(0.4f)})});
   all.push_back({"bubble in water", make("dielectric", {number("eta", 0.75f), alpha(0.4f)})});
+  const Param flint = text("glass", "F2");
+  all.push_back({"flint glass", make("dielectric", {flint})});
+  all.push_back({"rough flint glass", make("dielectric", {flint, alpha(0.4f)})});
+  all.push_back(
+      {"principled flint glass", make("principled", {flint, number("transmission", 1), number("roughness", 0)})});
+  all.push_back({"principled rough flint glass",
+                 make("principled", {flint, number("transmission", 0.7f), number("roughness", 0.5f),
+                                     number("coat", 0.5f), number("diffusetransmission", 0.3f)})});
   const Param lacquer = number("interface.roughness", 0.01f), brushed = number("conductor.roughness", 0.1f);
   all.push_back({"coated mirror", make("coatedconductor", {})});
   all.push_back({"smooth coat over metal", make("coatedconductor", {brushed})});

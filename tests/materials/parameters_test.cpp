@@ -100,11 +100,13 @@ TEST(Parameters, TexturesAreLookedUp) {
   EXPECT_TRUE(diagnostics.all().empty());
 }
 
-TEST(Parameters, EtaIsOneNumber) {
+TEST(Parameters, EtaIsANumberOrOfAGlass) {
   EXPECT_EQ(said("dielectric", {number("eta", 1.33f)}), "");
   const Param bk7{ParamType::spectrum, "eta", {}, std::vector<std::string>{"glass-BK7"}, {}, {}};
-  EXPECT_TRUE(contains(said("dielectric", {bk7}), "note: dispersion is not supported: eta is 1.52"))
-      << said("dielectric", {bk7});
+  EXPECT_EQ(said("dielectric", {bk7}), "");
+  for (const char* type : {"thindielectric", "principled"})
+    EXPECT_TRUE(contains(said(type, {bk7}), "has no dispersion: eta is 1.52")) << said(type, {bk7});
+  EXPECT_TRUE(contains(said("dielectric", {rgb("eta", {1.5f, 1.6f, 1.7f})}), "eta is 1.6, the mean of its colours"));
   EXPECT_TRUE(contains(said("thindielectric", {number("eta", 0)}), "error: "));
 }
 

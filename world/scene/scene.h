@@ -51,7 +51,8 @@ struct SceneLight {
   int group = 0;               // into Scene::light_groups
   MediumInterface media = {};  // of its surface; without one, it is outside
   Glow glow = {};              // of a medium: no shadow ray looks for it
-  bool is_drowned = false;     // infinitely far away, beyond a medium without end: none of its light arrives
+  // None of its light arrives: it is infinitely far away, beyond a medium without end, or a medium that is not there.
+  bool is_drowned = false;
 };
 
 struct ChosenLight {
@@ -99,6 +100,7 @@ class Scene {
   /// By material: whether its shapes bound a body in some frame. Empty if no path needs to know the bodies around it.
   std::vector<bool> bounds_bodies;
   bool nests = false;                       // bodies differ in priority: where they overlap, one of them is not there
+  bool disperses = false;                   // some body refracts light by its wavelength
   std::vector<SceneMedium> media;           // empty: light meets nothing between surfaces
   std::vector<MediumInterface> interfaces;  // distinct ones of surfaces
   std::vector<int> interface_of;            // by shape: into `interfaces`; -1: the same medium on both sides

@@ -205,7 +205,8 @@ class CameraSubpathTracer {
 
   template <class Place>
   void connect(const CameraSubpath& path, const Place& place, std::span<const Surface> surfaces) {
-    const CameraVertex<Place> end{place, surfaces, path.frames, path.bounces, path.inside, path.random, path.weights};
+    const CameraVertex<Place> end{place,       surfaces,    path.frames,  path.bounces,
+                                  path.inside, path.random, path.weights, path.wavelength.alone};
     light_subpath().for_each_connection(
         pass_, end, counts_, [&](const Brought& brought) { add(path, brought, [&] { return place.scatterer(); }); });
   }
@@ -231,7 +232,8 @@ class CameraSubpathTracer {
           const float weight = weight_of_merging(
               pass_.ways, {light.weights, bsdf.pdf_w(vertex.wo, light.wi, Transport::radiance, lobes)},
               {path.weights, bsdf.pdf_w(light.wi, vertex.wo, Transport::flux, lobes)});
-          const Rgb radiance = light.flux * f * (weight / pass_.ways.merging);
+          const bool is_alone = path.wavelength.alone || bsdf.disperses(vertex.wo, light.wi);
+          const Rgb radiance = light.flux * f * light.hue_on_merging(is_alone) * (weight / pass_.ways.merging);
           const Brought brought{common, radiance, strands, light.light};
           if (common == frames && strands == nullptr && is_light(radiance)) {
             shared += radiance;
@@ -255,7 +257,9 @@ class CameraSubpathTracer {
           const Rgb f = bsdf.evaluate(vertex.wo, light.wi, Transport::radiance, bsdf.all_lobes());
           const float share =
               irradiance * std::abs(dot(light.wi, vertex.point.ns)) / static_cast<float>(pass_.settings.photons);
-          add(path, {common, light.flux * f * share, strands, light.light}, [&] { return vertex.material_element(); });
+          const bool has_hue = path.wavelength.alone || bsdf.disperses(vertex.wo, light.wi);
+          const Rgb radiance = light.flux * f * hue_of_found(light.only_nm, has_hue) * share;
+          add(path, {common, radiance, strands, light.light}, [&] { return vertex.material_element(); });
         });
   }
 
@@ -276,7 +280,8 @@ class CameraSubpathTracer {
           const float weight =
               weight_of_merging(ways, {light.weights, bsdf.pdf_w(vertex.wo, light.wi, Transport::radiance, lobes)},
                                 {path.weights, bsdf.pdf_w(light.wi, vertex.wo, Transport::flux, lobes)});
-          const Rgb weighted = light.flux * f * (weight / pass_.ways.merging_in_media);
+          const Rgb weighted =
+              light.flux * f * light.hue_on_merging(path.wavelength.alone) * (weight / pass_.ways.merging_in_media);
           scene_.media[static_cast<std::size_t>(light.medium)].states.for_each(
               common, [&](FrameSet alike, const Medium& medium) {
                 const Rgb sigma_t = medium.at(light.p).sigma_t();

@@ -15,7 +15,8 @@ void LightSubpath::load(const Scene& scene, std::span<const LightVertex> vertice
 
 void LightSubpath::load_on_surface(const Scene& scene, const LightVertex& light, const Strand* strands) {
   Vertex met(scene, {{}, -light.wi}, {light.frames, light.hit});
-  met.point.outside_eta = light.outside_eta;
+  met.point.outside_eta = light.outside_eta, met.point.outside_dispersion = light.outside_dispersion;
+  met.point.wavelength = light.wavelength;
   for_each_relief(met, [&](const Vertex& vertex) {  // the same in all of its frames, or it would have parted
     const std::size_t first = surfaces_.size();
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
@@ -60,7 +61,9 @@ FrameSet LightSubpath::join(const VcmPass& pass, const Beginning& camera, std::s
       const float weight = weight_of_connection(
           pass.ways, {end.vertex->weights, light_reverse_pdf_w, pdf_w * area_of_light, end.vertex->merging},
           {weights, reverse_pdf_w, light_pdf_w * area, merging_after(camera.ways, light_pdf_w)});
-      const Rgb radiance = end.vertex->flux * sent * f * (area_of_light * camera.cosine * weight);
+      const bool is_alone = camera.is_alone || seen.bsdf->disperses(wo, w);
+      const Rgb sent_on = end.vertex->flux * sent * end.vertex->hue_by(*lit.bsdf, -w, is_alone);
+      const Rgb radiance = sent_on * f * (area_of_light * camera.cosine * weight);
       parts.add({common, radiance, end.strands, end.vertex->light});
       joined |= common;
     }

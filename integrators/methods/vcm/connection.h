@@ -29,6 +29,7 @@ struct CameraVertex {
   Inside inside;      // of the segment before
   PathRandom random;  // the path's
   SubpathWeights weights;
+  bool is_alone;  // the path has one wavelength alone
 };
 
 /// Light that comes along one way, in some frames. `strands` are the light subpath's, still to be multiplied.
@@ -55,7 +56,7 @@ class LightSubpath {
       if (frames.empty() || !(distance > 0)) continue;
       const Vec3 w = way / distance;
       const Beginning beginning{
-          place.wo, w, distance, area_cosine(place, w), place.cosine(w), ways_at(pass.ways, place)};
+          place.wo, w, distance, area_cosine(place, w), place.cosine(w), ways_at(pass.ways, place), camera.is_alone};
       FrameArray<Brought> parts;
       const FrameSet joined = join(pass, beginning, camera.surfaces, camera.weights, end, frames, parts);
       if (joined.empty()) continue;
@@ -85,6 +86,7 @@ class LightSubpath {
     Vec3 wo, w;
     float distance, area_cosine, cosine;
     VcmWays ways;
+    bool is_alone;
   };
 
   void load_on_surface(const Scene& scene, const LightVertex& light, const Strand* strands);

@@ -70,7 +70,7 @@ class LightPathTracer {
       return out_.rejections.add({SceneElement::Kind::light, chosen.light}, start.frames);
     light_ = start.light, scene_light_ = &scene_light, light_index_ = chosen.light, emission_ = *emission;
     LightPath& path = branches_.push({{emission->ray, flux, start.frames}, {}});
-    path.random = random, path.strands = start.strands, path.inside = start.inside;
+    path.random = random, path.strands = start.strands, path.inside = start.inside, path.wavelength.nm = pass_.nm;
     path.inside.medium = scene_light.media.medium_towards(!(dot(emission->normal, emission->ray.direction) < 0));
     path.merging = merging_after(pass_.ways, 0), path.hidden = scene_light.is_delta;
     branches_.follow(*this);
@@ -176,7 +176,7 @@ class LightPathTracer {
     stored.p = vertex.point, stored.wi = vertex.wo, stored.medium = vertex.medium;
     stored.flux = path.throughput, stored.strands = out_.strands.folded(path.strands, frames, stored.flux);
     stored.light = light_index_, stored.frames = frames, stored.bounces = path.bounces;
-    stored.weights = weights, stored.merging = merging_at(path, vertex);
+    stored.weights = weights, stored.merging = merging_at(path, vertex), stored.wavelength = path.wavelength;
     store(stored, vertex, path);
   }
 
@@ -188,8 +188,20 @@ class LightPathTracer {
     Rgb flux = path.throughput * (point.ns == point.ng ? 1 : shading / geometric);
     const StrandList strands = out_.strands.folded(path.strands, frames, flux);
     const ShapeFace face(vertex.hit.shape, point.ng, vertex.wo);
-    const LightVertex stored{point.p, vertex.wo,    face,    flux,         light_index_, frames,
-                             strands, path.bounces, weights, path.merging, vertex.hit,   point.outside_eta};
+    const LightVertex stored{point.p,
+                             vertex.wo,
+                             face,
+                             flux,
+                             light_index_,
+                             frames,
+                             strands,
+                             path.bounces,
+                             weights,
+                             path.merging,
+                             vertex.hit,
+                             point.outside_eta,
+                             point.outside_dispersion,
+                             path.wavelength};
     store(stored, vertex, path);
   }
 
@@ -214,9 +226,10 @@ class LightPathTracer {
     Rgb flux = path.throughput;
     const StrandList strands = out_.strands.folded(path.strands, frames, flux);
     const ShapeFace face(vertex.hit.shape, vertex.point.ng, vertex.wo);
-    out_.on_curves.push_back({{vertex.point.p, face, vertex.wo, flux, frames, strands, light_index_},
-                              StripPlace(vertex.shape, vertex.hit, vertex.wo),
-                              path.bounces});
+    out_.on_curves.push_back(
+        {{vertex.point.p, face, vertex.wo, flux, frames, strands, light_index_, path.wavelength.only_nm()},
+         StripPlace(vertex.shape, vertex.hit, vertex.wo),
+         path.bounces});
     out_.stored.add(frames.count());
   }
 
@@ -249,7 +262,7 @@ class LightPathTracer {
       const float reverse_pdf_w = bsdf.pdf_w(sight.w, light.wi, Transport::radiance, lobes);
       const float weight =
           weight_of_sighting(pass_.ways, {light.weights, reverse_pdf_w, pdf_a / pass_.ways.sighting, light.merging});
-      const Rgb radiance = light.flux * f * (pdf_a * weight / pass_.ways.sighting);
+      const Rgb radiance = light.flux * f * light.hue_by(bsdf, sight.w, false) * (pdf_a * weight / pass_.ways.sighting);
       if (!is_light(radiance)) return out_.rejections.add(place.scatterer(), common);
       parts.add({common, radiance});
       sent |= common;

@@ -29,10 +29,21 @@ struct LightVertex {
   StrandList strands;  // in its trace's table
   int bounces;         // scatterings before
   SubpathWeights weights;
-  float merging;           // what merges count here; 0: there are none
-  RayHit hit;              // of the surface
-  float outside_eta;       // see SurfacePoint
+  float merging;  // what merges count here; 0: there are none
+  RayHit hit;     // of the surface
+  // See SurfacePoint.
+  float outside_eta, outside_dispersion;
+  Wavelength wavelength;
   int medium = kNoMedium;  // kNoMedium: it is on a surface
+
+  /// Returns the factor to the light that `bsdf`, its own, sends along `wo`.
+  Rgb hue_by(const Bsdf& bsdf, const Vec3& wo, bool camera_is_alone) const {
+    if (wavelength.nm == 0) return Rgb(1);
+    const bool alone = wavelength.alone || bsdf.disperses(wo, wi);
+    return hue_of_found(alone ? wavelength.nm : 0, camera_is_alone);
+  }
+  /// Returns the factor to the light that arrives here, where the camera's path meets it.
+  Rgb hue_on_merging(bool camera_is_alone) const { return hue_of_found(wavelength.only_nm(), camera_is_alone); }
 };
 
 /// The results of a range of light subpaths.

@@ -36,6 +36,7 @@ struct VcmPass {
   float radius_in_media;
   VcmWays ways;
   const EmissionGuides* guides = nullptr;  // of light paths' starts; null or off: by power
+  std::int16_t nm = 0;                     // the iteration's wavelength, if the scene disperses
 };
 
 /// The way in which a subpath is scattered in some of its frames. Frames stay together only if all their densities are
@@ -49,7 +50,8 @@ struct SubpathScattering {
   std::optional<Rgb> along(const SubpathScattering& first) const {
     const BsdfSample& s = first.sample;
     const bool same = sample.wi == s.wi && sample.specular == s.specular && sample.eta_scale == s.eta_scale &&
-                      sample.ahead == s.ahead && sample.pdf_w == s.pdf_w && reverse_pdf_w == first.reverse_pdf_w;
+                      sample.ahead == s.ahead && sample.by_wavelength == s.by_wavelength && sample.pdf_w == s.pdf_w &&
+                      reverse_pdf_w == first.reverse_pdf_w;
     return same ? std::optional(factor) : std::nullopt;
   }
 };

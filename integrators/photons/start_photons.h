@@ -1,0 +1,23 @@
+// The starts of one photon path: at a light for each choice of lights, once for all frames in which it starts alike.
+#pragma once
+
+#include <vector>
+
+#include "dspm/integrators/photons/photon_starts.h"
+#include "dspm/integrators/photons/photon_writer.h"
+#include "dspm/world/scene/scene.h"
+
+namespace dspm {
+
+struct StartedPhoton {
+  PhotonPath path;  // `start` is its place among the others
+  PhotonOrigin from;
+  const SceneLight::Alike* varied;  // not null: path's flux is that of the first of these states
+  bool is_valid;                    // else the light is to blame in the path's frames
+};
+
+/// Replaces `started` by the starts of the path with these numbers. `wavelength` is that of the path.
+void start_photons(const Scene& scene, const PhotonSettings& settings, const PhotonStarts& starts,
+                   const PathRandom& random, const Wavelength& wavelength, std::vector<StartedPhoton>& started);
+
+}  // namespace dspm

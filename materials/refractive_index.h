@@ -1,0 +1,71 @@
+// The index of refraction of a body, which may differ with the wavelength: glass then shows colours.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
+#include "dspm/base/colour/wavelength.h"
+#include "dspm/base/params/params.h"
+#include "dspm/materials/bsdf.h"
+#include "dspm/shapes/shape.h"
+
+namespace dspm {
+
+class RefractiveIndex {
+ public:
+  explicit RefractiveIndex(float constant) : mean_(constant) {}
+  /// Takes the index between 360 and 830 nm from the spectrum, beyond whose ends it is constant. `mean` is used wherever light
+  /// is not refracted.
+  RefractiveIndex(const Spectrum& spectrum, float mean);
+  /// Returns the index that is `eta` at 587.6 nm, and differs as much as this Abbe number says, (eta - 1) / (eta_F - eta_C)
+  /// at 486.1 and 656.3 nm, by Cauchy's equation a + b / nm^2. Infinite: it does not differ.
+  static RefractiveIndex of_abbe(float eta, float abbe);
+
+  float mean() const { return mean_; }
+  bool disperses() const { return by_nm_ != nullptr; }
+  float at(const Wavelength& w) const {
+    return w.nm == 0 || !disperses() ? mean_ : (*by_nm_)[static_cast<std::size_t>(w.nm - kShortestNm)];
+  }
+  float lowest() const;
+
+ private:
+  float mean_;
+  std::shared_ptr<const std::vector<float>> by_nm_;  // null: it is constant
+};
+
+/// Reads "eta" (a number, or a spectrum), "glass" and "abbe".
+RefractiveIndex read_refractive_index(ParamReader& reader);
+
+/// How the surface of a body refracts light at a point, of the wavelength of the path that has met it.
+struct Refraction {
+  float eta;       // inside over outside, at that wavelength
+  float mean_eta;  // of all wavelengths
+  Wavelength wavelength = {};
+
+  Refraction(float at_wavelength, float mean, const Wavelength& of)
+      : eta(at_wavelength), mean_eta(mean), wavelength(of) {}
+  Refraction(const RefractiveIndex& inside, const SurfacePoint& point);
+
+  bool disperses() const { return wavelength.nm != 0; }
+  /// Returns whether what is mirrored on that side (+1 outside) depends on the wavelength. Where light comes from what is less
+  /// dense it hardly does, so light keeps all of its colours; from what is denser, some wavelengths are mirrored totally, and
+  /// others are not.
+  bool mirrors_by_wavelength(float side) const { return disperses() && (wavelength.alone || eta_from(side) < 1); }
+  /// The index by which it is mirrored on that side, beyond over here.
+  float mirroring_eta(float side) const {
+    const float inside_over_outside = mirrors_by_wavelength(side) ? eta : mean_eta;
+    return side > 0 ? inside_over_outside : 1 / inside_over_outside;
+  }
+  float eta_from(float side) const { return side > 0 ? eta : 1 / eta; }
+  /// The hue of what is mirrored on that side, and of what passes.
+  Rgb hue_of_mirrored(float side) const { return mirrors_by_wavelength(side) ? hue_of_refracted() : Rgb(1); }
+  Rgb hue_of_refracted() const { return wavelength.hue_on_refraction(); }
+  /// Gives a sample that leaves on the other side, or is mirrored on that `side`, its hue.
+  void apply_to(BsdfSample& sample, bool refracted, float side) const;
+  friend bool operator==(const Refraction&, const Refraction&) = default;
+};
+
+}  // namespace dspm

@@ -1,0 +1,69 @@
+// The wavelengths of iterations: white on average, whichever iterations are taken, and the colours of the rainbow.
+#include "dspm/base/colour/wavelength.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace dspm {
+namespace {
+
+TEST(Hue, IsWhiteOnAverageAndNeverNegative) {
+  double all = 0;
+  std::array<double, 3> white{};
+  for (int nm = kShortestNm; nm <= kLongestNm; ++nm) {
+    const double p = wavelength_probability(nm);
+    all += p;
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_GE(hue(nm)[c], 0) << nm;
+      EXPECT_LE(hue(nm)[c], 3.0001f) << nm;  // all of a colour that is as likely as each of the others
+      white[static_cast<std::size_t>(c)] += p * double{hue(nm)[c]};
+    }
+  }
+  EXPECT_NEAR(all, 1, 1e-9);
+  for (const double c : white) EXPECT_NEAR(c, 1, 1e-6);
+}
+
+TEST(Hue, IsThatOfTheSpectrum) {
+  EXPECT_GT(hue(450).b, 10 * hue(450).g);
+  EXPECT_GT(hue(530).g, 10 * std::max(hue(530).r, hue(530).b));
+  EXPECT_GT(hue(640).r, 10 * std::max(hue(640).g, hue(640).b));
+  EXPECT_GT(std::min(hue(575).r, hue(575).g), 10 * hue(575).b);  // yellow
+}
+
+/// The largest difference from white, of any colour, of the mean hue of `count` iterations from `first` on, `step` apart.
+float difference_from_white(std::uint64_t seed, int first, int count, int step = 1) {
+  Rgb sum;
+  for (int i = 0; i < count; ++i) sum += hue(wavelength_of(seed, static_cast<std::uint64_t>(first + i * step)));
+  const Rgb mean = sum / static_cast<float>(count);
+  return std::max({std::abs(mean.r - 1), std::abs(mean.g - 1), std::abs(mean.b - 1)});
+}
+
+// A colour's share of n independent wavelengths has a standard deviation of about 1 / sqrt(n): 0.25 of 16, 0.06 of 256.
+TEST(Wavelengths, AreSpreadEvenlyOverAnyIterations) {
+  for (std::uint64_t seed = 0; seed < 8; ++seed)
+    for (const int first : {0, 1, 100, 12345}) {
+      EXPECT_LT(difference_from_white(seed, first, 16), 0.25f) << seed << " " << first;
+      EXPECT_LT(difference_from_white(seed, first, 64), 0.06f) << seed << " " << first;
+      EXPECT_LT(difference_from_white(seed, first, 256), 0.02f) << seed << " " << first;
+      // Those of one of several machines.
+      for (const int machines : {2, 3, 4, 7})
+        EXPECT_LT(difference_from_white(seed, first, 256, machines), 0.05f) << seed << " " << first << " " << machines;
+    }
+}
+
+TEST(Wavelengths, FollowTheirProbability) {
+  double sum = 0;
+  for (int nm = kShortestNm; nm < kLongestNm; ++nm) {
+    const double p = wavelength_probability(nm);
+    if (p > 1e-6) {
+      EXPECT_EQ(wavelength_at(sum + p / 2), nm);
+    }
+    sum += p;
+  }
+}
+
+}  // namespace
+}  // namespace dspm
