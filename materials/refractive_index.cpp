@@ -64,12 +64,11 @@ RefractiveIndex read_refractive_index(ParamReader& reader) {
     return RefractiveIndex(kUsual);
   };
   const auto [colour, spectrum] =
-      reader.colour_or_spectrum("eta", Rgb(kUsual), SpectrumRole::unbounded,
-                                "index of refraction inside over outside; if a spectrum, light "
-                                "is refracted by its wavelength");
+      reader.colour_or_spectrum("eta", Rgb(kUsual), SpectrumRole::unbounded, "index of refraction inside over outside");
   const std::string glass =
       reader.text("glass", "", "instead of eta: BK7, SF11, F2, silica, water, diamond, sapphire, ...");
-  const float abbe = reader.number("abbe", 0, "", "Abbe number of the body, with eta at 587.6 nm; 0: no dispersion");
+  const float abbe =
+      reader.number("abbe", 0, "", "Abbe number, with eta at 587.6 nm; 0: no dispersion, unless eta is a spectrum");
   if (abbe != 0 && !(abbe >= kLeastAbbe)) return error("abbe", "must be at least 1, or 0 for no dispersion");
   if (!glass.empty() && (reader.has("eta") || reader.has("abbe")))
     return error("glass", "already determines the index: leave out \"eta\" and \"abbe\"");

@@ -26,7 +26,7 @@ Vec2 chromaticity(std::string_view name) {
 
 TEST(Spectrum, EveryNamedSpectrumIsWholeAndFinite) {
   const std::vector<std::string> names = spectrum_names();
-  EXPECT_EQ(names.size(), 16u + 14u + 4u + 12u);
+  EXPECT_EQ(names.size(), 19u + 14u + 4u + 12u);
   for (const std::string& name : names) {
     const std::optional<Spectrum> spectrum = named_spectrum(name);
     ASSERT_TRUE(spectrum) << name;

@@ -35,7 +35,8 @@ TEST(RefractiveIndex, OfGlassesIsThatOfTheirCatalogues) {
   };
   for (const Known& known : {Known{"BK7", 1.5168, 64.17},
                              {"F2", 1.62004, 36.37},
-                             {"SF11", 1.78472, 25.68},
+                             {"SF11", 1.78472, 25.76},
+                             {"N-SF11", 1.78472, 25.68},
                              {"silica", 1.45846, 67.8},
                              {"sapphire", 1.7682, 72.2},
                              {"diamond", 2.4175, 55.3},
