@@ -22,7 +22,7 @@ namespace dspm::test {
 namespace dispersion_test {
 
 constexpr double kApex = 25 * 3.14159265358979323846 / 180;
-constexpr int kIterations = 48, kWidth = 96;
+constexpr int kIterations = 48, kWidth = 96, kBowIterations = 32;
 
 constexpr const char* kByPhotons[] = {
     R"("dsppm" "integer photons" 150000 "float radius" 0.01)",
@@ -136,6 +136,66 @@ Shape "trianglemesh" "integer indices" [0 2 1 0 3 2  4 5 6 4 6 7  0 1 5 0 5 4  1
     EXPECT_NEAR(found[0].place, found[2].place, 0.002);
     expect_sums_in_proportion(found, 0.03);
   }
+}
+
+/// What a drop of water throws back of a beam along z onto a screen 100 behind it, between the radii 78 and 95, by Snell and
+/// Fresnel: a bow of 42 degrees.
+std::array<Channel, 3> expected_bow() {
+  constexpr int kBeams = 20'000;
+  const auto water = material_of(R"("dielectric" "string glass" "water")");
+  std::array<Channel, 3> channels;
+  for (int i = 0; i < kBowIterations; ++i) {
+    const std::int16_t nm = wavelength_of(0, static_cast<std::uint64_t>(i));
+    const double eta = double{water->eta_at({.nm = nm})};
+    const auto add = [&](double back, double out, double power, const Rgb& of) {  // angles to the axis: of ray and exit
+      const double place = std::sin(out) + (100 - std::cos(out)) * std::tan(back);
+      if (back > 1.5 || place < 78 || place > 95) return;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double part = power / place * double{of[static_cast<int>(c)]};  // of a ring in the picture
+        channels[c].sum += part, channels[c].place += part * place;
+      }
+    };
+    for (int beam = 0; beam < kBeams; ++beam) {
+      const double b = std::sqrt((beam + 0.5) / kBeams), in = std::asin(b), inside = std::asin(b / eta),
+                   spread = std::asin(b / 400);
+      const auto fresnel = [&](double index) {
+        return double{fresnel_dielectric(static_cast<float>(std::cos(in)), static_cast<float>(index))};
+      };
+      const double mirrored = fresnel(eta), back = 4 * inside - 2 * in;
+      add(back + spread, back + in + spread, (1 - mirrored) * mirrored * (1 - mirrored), hue(nm));
+      add(2 * in - spread, in - spread, fresnel(double{water->eta()}), Rgb(1));  // by the drop's front
+    }
+  }
+  for (Channel& channel : channels) channel.place /= channel.sum;
+  return channels;
+}
+
+TEST(Rainbow, StandsAt42Degrees) {
+  const std::array<Channel, 3> right = expected_bow();
+  EXPECT_GT(right[0].place - right[2].place, 0.5);
+  const std::string scene = fmt::format(R"(
+Integrator "dsppm" "integer photons" 500000 "integer maxdepth" 6
+LookAt 0 0 10  0 0 0  0 1 0
+Camera "orthographic" "float screenwindow" [78 95 -4 4]
+PixelFilter "box"
+Film "rgb" "integer xresolution" 85 "integer yresolution" 40
+WorldBegin
+LightSource "spot" "rgb I" [1e6 1e6 1e6] "point3 from" [0 0 -400] "point3 to" [0 0 0] "float coneangle" .16 "float conedeltaangle" .001
+Material "diffuse" "rgb reflectance" [1 1 1]
+AttributeBegin Translate 0 0 -100 Shape "disk" "float radius" 110 "float innerradius" 1.5 AttributeEnd
+Material "dielectric" "string glass" "water"
+Shape "sphere")");
+  const Image image = TestScene(scene).render(FileFrame(0), kBowIterations);
+  std::array<Channel, 3> found;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (int c = 0; c < 3; ++c) {
+        const double value = double{image.at(x, y)[c]};
+        const double across = 78 + (x + 0.5) * 0.2, up = (y + 0.5) * 0.2 - 4;
+        found[static_cast<std::size_t>(c)].sum += value;
+        found[static_cast<std::size_t>(c)].place += value * std::sqrt(across * across + up * up);
+      }
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c].place / found[c].sum, right[c].place, 0.2) << c;
 }
 
 // One flint ball is seen through another; all of its light can be found by path.
