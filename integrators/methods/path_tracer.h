@@ -12,6 +12,7 @@
 #include "dspm/integrators/transport/camera_path.h"
 #include "dspm/integrators/transport/direct_light.h"
 #include "dspm/integrators/transport/light_value.h"
+#include "dspm/integrators/transport/scattering_place.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {
@@ -49,33 +50,16 @@ class PathTracer {
 
   void arrived(const CameraPath& arriving, const Vertex& vertex) {
     CameraPath path = arriving;
+    path.frames = vertex.frames;
     path.arrive(scene_, vertex);
     add_emission(path, vertex);
-    if (path.bounces >= limits_.max_depth || path.indirect) return;
-    FrameArray<Surface> surfaces;
-    for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
-      surfaces.add({frames, BsdfSlot::copy_of(bsdf)});
-    });
-    add_direct_light(path, vertex, surfaces);
-    for (const Surface& surface : surfaces) {
-      CameraPath branch = path;
-      branch.frames = surface.frames, branch.travel(vertex.hit.t);
-      scatter(branch, vertex, *surface.bsdf);
-    }
+    scatter_light(path, vertex);
   }
 
   void collided(const CameraPath& arriving, const MediumVertex& vertex) {
-    if (arriving.bounces >= limits_.max_depth || arriving.indirect) return;
-    CameraPath here = arriving;
-    here.collide();
-    add_direct_light(here, vertex);
-    here.travel(vertex.distance);
-    for (const MediumVertex::State& state : vertex.states) {
-      CameraPath path = here;
-      path.frames = state.frames & arriving.frames;
-      if (path.frames.empty()) continue;
-      scatter(path, vertex, state);
-    }
+    CameraPath path = arriving;
+    path.collide();
+    scatter_light(path, vertex);
   }
 
   void glowed(const CameraPath& passing, FrameSet frames, const Rgb& radiance) {
@@ -104,57 +88,51 @@ class PathTracer {
     });
   }
 
+  /// Looks for lights from the place, and goes on.
+  template <class Place>
+  void scatter_light(const CameraPath& path, const Place& place) {
+    if (path.bounces >= limits_.max_depth || path.indirect) return;
+    FrameArray<Surface> surfaces;
+    for_each_scattering(place, path.frames, [&](FrameSet frames, const Bsdf& bsdf) {
+      surfaces.add({frames, BsdfSlot::copy_of(bsdf)});
+    });
+    add_direct_light(path, place, surfaces);
+    for (const Surface& surface : surfaces) {
+      CameraPath branch = path;
+      branch.frames = surface.frames, branch.travel(length_to(place));
+      scatter(branch, place, *surface.bsdf);
+    }
+  }
+
   /// Frames whose surfaces differ share samples and rays.
-  void add_direct_light(const CameraPath& path, const Vertex& vertex, const FrameArray<Surface>& surfaces) {
+  template <class Place>
+  void add_direct_light(const CameraPath& path, const Place& place, const FrameArray<Surface>& surfaces) {
     const auto scattered = [&](FrameSet of, const LightSample& sample, auto&& take) {
-      for (const auto& [frames, bsdf] : surfaces) {
-        const FrameSet common = frames & of;
-        if (!common.empty()) take(common, weighted_f(vertex, *bsdf, sample));
+      for (const Surface& surface : surfaces) {
+        const FrameSet common = surface.frames & of;
+        if (!common.empty()) take(common, weighted_f(place.wo, *surface.bsdf, sample));
       }
     };
-    sample_direct_light(scene_, path, vertex, vertex.frames, counts_, scattered,
+    sample_direct_light(scene_, path, place, path.frames, counts_, scattered,
                         [&](FrameSet lit, const Rgb& radiance, auto&& giver) {
                           add(path, path.bounces + 1, lit, path.throughput * radiance, giver);
                         });
   }
 
-  static Rgb weighted_f(const Vertex& vertex, const Bsdf& bsdf, const LightSample& sample) {
+  static Rgb weighted_f(const Vec3& wo, const Bsdf& bsdf, const LightSample& sample) {
     const LobeSet all = bsdf.all_lobes();
-    const Rgb f = bsdf.evaluate(vertex.wo, sample.lit.wi, Transport::radiance, all);
+    const Rgb f = bsdf.evaluate(wo, sample.lit.wi, Transport::radiance, all);
     if (is_black(f) || !(sample.pdf_w > 0)) return f;
-    return f * balance(sample.pdf_w, bsdf.pdf_w(vertex.wo, sample.lit.wi, Transport::radiance, all));
+    return f * balance(sample.pdf_w, bsdf.pdf_w(wo, sample.lit.wi, Transport::radiance, all));
   }
 
-  void add_direct_light(const CameraPath& path, const MediumVertex& vertex) {
-    const auto scattered = [&](FrameSet of, const LightSample& sample, auto&& take) {
-      for (const MediumVertex::State& state : vertex.states) {
-        const FrameSet common = state.frames & of;
-        if (common.empty()) continue;
-        const float phase = state.phase.pdf_w(-vertex.wo, sample.lit.wi);
-        take(common, state.albedo * phase * (sample.pdf_w > 0 ? balance(sample.pdf_w, phase) : 1));
-      }
-    };
-    sample_direct_light(scene_, path, vertex, path.frames, counts_, scattered,
-                        [&](FrameSet lit, const Rgb& radiance, auto&& giver) {
-                          add(path, path.bounces + 1, lit, path.throughput * radiance, giver);
-                        });
-  }
-
-  void scatter(CameraPath& path, const MediumVertex& vertex, const MediumVertex::State& state) {
-    const Vec3 wi = state.phase.sample(-vertex.wo, path.random.pair(path.bounces, kScatter));
-    path.throughput *= state.albedo;
-    if (!is_light(path.throughput)) return reject(path, path.frames, vertex.scatterer());
-    path.leave(vertex, wi, state.phase.pdf_w(-vertex.wo, wi));
-    path.indirect = !limits_.indirect;
-    go_on(path);
-  }
-
-  void scatter(CameraPath& path, const Vertex& vertex, const Bsdf& bsdf) {
-    const auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::radiance, bsdf.all_lobes());
+  template <class Place>
+  void scatter(CameraPath& path, const Place& place, const Bsdf& bsdf) {
+    const auto sample = sample_bsdf(bsdf, path, place.wo, Transport::radiance, bsdf.all_lobes());
     if (!sample) return;
-    extend(path, vertex, *sample);
-    if (!is_finite(path.ray) || !is_light(path.throughput)) return reject(path, path.frames, vertex.material_element());
-    path.leave(vertex, *sample);
+    path.throughput *= sample->weight;
+    leave(path, place, *sample);
+    if (!is_finite(path.ray) || !is_light(path.throughput)) return reject(path, path.frames, place.scatterer());
     path.indirect = !limits_.indirect && !sample->specular;
     go_on(path);
   }

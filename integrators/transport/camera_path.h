@@ -75,6 +75,15 @@ struct CameraPath : PathState {
   }
 };
 
+/// Sends the path on along the sample; the caller updates the throughput.
+inline void leave(CameraPath& path, const Vertex& vertex, const BsdfSample& sample) {
+  extend_ray(path, vertex, sample);
+  path.leave(vertex, sample);
+}
+inline void leave(CameraPath& path, const MediumVertex& vertex, const BsdfSample& sample) {
+  path.leave(vertex, sample.wi, sample.pdf_w);
+}
+
 /// Returns the width of a path in pixels. As in pbrt, each of n paths through a pixel stands for 1 / sqrt(n) of its
 /// width, but for at least an eighth. As nobody knows n before the end, it is the number of paths so far: the first
 /// image is smooth, and the last one sharp.

@@ -9,7 +9,7 @@
 #include "dspm/base/system/parallel.h"
 #include "dspm/integrators/methods/vcm/connection.h"
 #include "dspm/integrators/methods/vcm/light_densities.h"
-#include "dspm/integrators/photons/gather.h"
+#include "dspm/integrators/methods/vcm/merging.h"
 #include "dspm/integrators/tiles.h"
 #include "dspm/integrators/transport/branching_path.h"
 #include "dspm/integrators/transport/camera_path.h"
@@ -170,9 +170,14 @@ class CameraSubpathTracer {
   template <class Place>
   void bring_light(const CameraSubpath& path, const Place& place, std::span<const Surface> surfaces) {
     add_next_event(path, place, surfaces);
+    const CameraVertex<Place> camera{place,       surfaces,    path.frames,  path.bounces,
+                                     path.inside, path.random, path.weights, path.wavelength.alone};
     if (pass_.ways.merging > 0)
-      for (const auto& [frames, bsdf] : surfaces) merge(path, place, frames, *bsdf);
-    if (pass_.ways.connecting) connect(path, place, surfaces);
+      for (const auto& [frames, bsdf] : surfaces) merge(path, camera, frames, *bsdf);
+    if (pass_.ways.connecting)
+      light_subpath().for_each_connection(pass_, camera, counts_, [&](const Brought& brought) {
+        add(path, brought, [&] { return place.scatterer(); });
+      });
   }
 
   /// Frames whose surfaces differ share samples and rays.
@@ -203,101 +208,20 @@ class CameraSubpathTracer {
                         });
   }
 
-  template <class Place>
-  void connect(const CameraSubpath& path, const Place& place, std::span<const Surface> surfaces) {
-    const CameraVertex<Place> end{place,       surfaces,    path.frames,  path.bounces,
-                                  path.inside, path.random, path.weights, path.wavelength.alone};
-    light_subpath().for_each_connection(
-        pass_, end, counts_, [&](const Brought& brought) { add(path, brought, [&] { return place.scatterer(); }); });
-  }
-
-  void merge(const CameraSubpath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf) {
-    if (vertex.point.turns) return merge_on_curve(path, vertex, frames, bsdf);
-    const LobeSet lobes = bsdf.all_lobes();
-    const auto giver = [&] { return vertex.material_element(); };
-    const SurfacePoint& point = vertex.point;
-    const SameSurface surface(point.p, dot(vertex.wo, point.ng) < 0 ? -point.ng : point.ng, point.p_error,
-                              ShapeFace(vertex.hit.shape, point.ng, vertex.wo), pass_.radius);
-    const bool transmits = bsdf.transmits(lobes);
-    gathers_.gathers.add(frames.count());
+  void merge(const CameraSubpath& path, const CameraVertex<Vertex>& camera, FrameSet frames, const Bsdf& bsdf) {
+    const auto giver = [&] { return camera.place.material_element(); };
     Rgb shared;  // by all frames
-    gathers_.tests += map_.for_each_within(
-        vertex.point.p, pass_.radius * pass_.radius, frames, [&](const LightVertex& light, const Strand* strands) {
-          const FrameSet common = light.frames & frames;
-          if (common.empty() || path.bounces + light.bounces + 1 > pass_.settings.max_depth) return;
-          gathers_.found.add(common.count());
-          if (transmits && !surface.counts(light.p, light.wi, light.face)) return;
-          const Rgb f = bsdf.evaluate(vertex.wo, light.wi, Transport::radiance, lobes);
-          if (is_black(f)) return;
-          const float weight = weight_of_merging(
-              pass_.ways, {light.weights, bsdf.pdf_w(vertex.wo, light.wi, Transport::radiance, lobes)},
-              {path.weights, bsdf.pdf_w(light.wi, vertex.wo, Transport::flux, lobes)});
-          const bool is_alone = path.wavelength.alone || bsdf.disperses(vertex.wo, light.wi);
-          const Rgb radiance = light.flux * f * light.hue_on_merging(is_alone) * (weight / pass_.ways.merging);
-          const Brought brought{common, radiance, strands, light.light};
-          if (common == frames && strands == nullptr && is_light(radiance)) {
-            shared += radiance;
-            if (sums_.has_parts()) add_to_part(path, brought);
-          } else {
-            add(path, brought, giver);
-          }
-        });
+    for_each_merge(pass_, map_, camera, frames, bsdf, gathers_, [&](const Brought& brought) {
+      const bool by_all = brought.frames == frames && brought.strands == nullptr && !camera.place.point.turns;
+      if (!by_all || !is_light(brought.radiance)) return add(path, brought, giver);
+      shared += brought.radiance;
+      if (sums_.has_parts()) add_to_part(path, brought);
+    });
     if (!is_black(shared)) add(path, {frames, shared, nullptr, kManyLights}, giver);
   }
-
-  /// Merges on a curve, with the light that nothing else brings there.
-  void merge_on_curve(const CameraSubpath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf) {
-    const StripPlace place(vertex.shape, vertex.hit, vertex.wo);
-    gathers_.gathers.add(frames.count());
-    gathers_.tests += map_.on_curves().for_each_within(
-        place, pass_.radius, [&](const CurvePhoton& light, const Strand* strands, float irradiance, const auto&) {
-          const FrameSet common = light.frames & frames;
-          if (common.empty() || path.bounces + light.bounces + 1 > pass_.settings.max_depth) return;
-          gathers_.found.add(common.count());
-          const Rgb f = bsdf.evaluate(vertex.wo, light.wi, Transport::radiance, bsdf.all_lobes());
-          const float share =
-              irradiance * std::abs(dot(light.wi, vertex.point.ns)) / static_cast<float>(pass_.settings.photons);
-          const bool has_hue = path.wavelength.alone || bsdf.disperses(vertex.wo, light.wi);
-          const Rgb radiance = light.flux * f * hue_of_found(light.only_nm, has_hue) * share;
-          add(path, {common, radiance, strands, light.light}, [&] { return vertex.material_element(); });
-        });
-  }
-
-  /// The same in a medium: light subpaths have collided within a ball as often as light is scattered there.
-  void merge(const CameraSubpath& path, const MediumVertex& vertex, FrameSet frames, const Bsdf& bsdf) {
-    const LobeSet lobes = bsdf.all_lobes();
-    const VcmWays ways = ways_at(pass_.ways, vertex);
-    const float radius2 = pass_.radius_in_media * pass_.radius_in_media;
-    gathers_.gathers.add(frames.count());
-    gathers_.tests +=
-        map_.for_each_in_media_within(vertex.point, radius2, [&](const LightVertex& light, const Strand* strands) {
-          const FrameSet common = light.frames & frames;
-          const bool too_deep = path.bounces + light.bounces + 1 > pass_.settings.max_depth;
-          if (common.empty() || too_deep || light.medium != vertex.medium) return;
-          gathers_.found.add(common.count());
-          const Rgb f = bsdf.evaluate(vertex.wo, light.wi, Transport::radiance, lobes);
-          if (is_black(f)) return;
-          const float weight =
-              weight_of_merging(ways, {light.weights, bsdf.pdf_w(vertex.wo, light.wi, Transport::radiance, lobes)},
-                                {path.weights, bsdf.pdf_w(light.wi, vertex.wo, Transport::flux, lobes)});
-          const Rgb weighted =
-              light.flux * f * light.hue_on_merging(path.wavelength.alone) * (weight / pass_.ways.merging_in_media);
-          scene_.media[static_cast<std::size_t>(light.medium)].states.for_each(
-              common, [&](FrameSet alike, const Medium& medium) {
-                const Rgb sigma_t = medium.at(light.p).sigma_t();
-                Rgb radiance;
-                for (int c = 0; c < 3; ++c) radiance[c] = weighted[c] > 0 ? weighted[c] / sigma_t[c] : 0;
-                add(path, {alike, radiance, strands, light.light}, [&] { return vertex.scatterer(); });
-              });
-        });
-  }
-
-  static void leave(CameraSubpath& path, const Vertex& vertex, const BsdfSample& sample) {
-    extend_ray(path, vertex, sample);
-    path.leave(vertex, sample);
-  }
-  static void leave(CameraSubpath& path, const MediumVertex& vertex, const BsdfSample& sample) {
-    path.leave(vertex, sample.wi, sample.pdf_w);
+  void merge(const CameraSubpath& path, const CameraVertex<MediumVertex>& camera, FrameSet frames, const Bsdf& bsdf) {
+    for_each_merge(pass_, map_, camera, frames, bsdf, gathers_,
+                   [&](const Brought& brought) { add(path, brought, [&] { return camera.place.scatterer(); }); });
   }
 
   template <class Place>

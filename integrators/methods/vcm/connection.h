@@ -11,6 +11,7 @@
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/vec.h"
+#include "dspm/integrators/methods/vcm/camera_vertex.h"
 #include "dspm/integrators/methods/vcm/light_subpaths.h"
 #include "dspm/integrators/methods/vcm/subpath_place.h"
 #include "dspm/integrators/methods/vcm/vcm_pass.h"
@@ -18,27 +19,6 @@
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {
-
-/// A vertex of a camera subpath: a Vertex or a MediumVertex.
-template <class Place>
-struct CameraVertex {
-  const Place& place;
-  std::span<const Surface> surfaces;  // those that can be connected
-  FrameSet frames;
-  int bounces;
-  Inside inside;      // of the segment before
-  PathRandom random;  // the path's
-  SubpathWeights weights;
-  bool is_alone;  // the path has one wavelength alone
-};
-
-/// Light that comes along one way, in some frames. `strands` are the light subpath's, still to be multiplied.
-struct Brought {
-  FrameSet frames;
-  Rgb radiance;
-  const Strand* strands;
-  int light;  // into the scene's
-};
 
 class LightSubpath {
  public:

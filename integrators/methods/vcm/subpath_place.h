@@ -12,7 +12,7 @@
 #include "dspm/integrators/methods/vcm/subpath_weights.h"
 #include "dspm/integrators/transport/medium_vertex.h"
 #include "dspm/integrators/transport/path_step.h"
-#include "dspm/integrators/transport/phase_bsdf.h"
+#include "dspm/integrators/transport/scattering_place.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {
@@ -20,10 +20,6 @@ namespace dspm {
 /// Returns the factor of a density by area to one by solid angle, without the distance.
 inline float area_cosine(const Vertex& vertex, const Vec3& w) { return std::abs(dot(w, vertex.point.ng)); }
 inline float area_cosine(const MediumVertex&, const Vec3&) { return 1; }
-
-/// Returns the length of the segment that has arrived.
-inline float length_to(const Vertex& vertex) { return vertex.hit.t; }
-inline float length_to(const MediumVertex& vertex) { return vertex.distance; }
 
 inline Ray segment_from(const Vertex& vertex, const Vec3& w, float length) { return vertex.point.spawn(w, length); }
 inline Ray segment_from(const MediumVertex& vertex, const Vec3& w, float length) { return {vertex.point, w, length}; }
@@ -39,21 +35,6 @@ inline VcmWays ways_at(const VcmWays& ways, const Vertex& vertex) {
 }
 inline VcmWays ways_at(const VcmWays& ways, const MediumVertex& vertex) {
   return ways.with_merging(ways.merging_in_media * (vertex.majorant.r + vertex.majorant.g + vertex.majorant.b) / 3);
-}
-
-/// Calls fn(FrameSet, const Bsdf&) for each scattering function in these frames.
-template <class Fn>
-void for_each_scattering(const Vertex& vertex, FrameSet, Fn&& fn) {
-  for_each_surface(vertex, fn);
-}
-template <class Fn>
-void for_each_scattering(const MediumVertex& vertex, FrameSet frames, Fn&& fn) {
-  for (const MediumVertex::State& state : vertex.states) {
-    const FrameSet common = state.frames & frames;
-    if (common.empty()) continue;
-    BsdfSlot slot;
-    fn(common, slot.emplace<PhaseBsdf>(state.albedo, state.phase));
-  }
 }
 
 }  // namespace dspm
