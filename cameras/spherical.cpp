@@ -29,8 +29,11 @@ namespace {
 // Mappings have z up, camera space y.
 Vec3 swapped(const Vec3& v) { return {v.x, v.z, v.y}; }
 
-/// Returns where a place beyond an edge of the octahedral square really is: on the same edge, mirrored.
+/// Returns where a place beyond an edge of the octahedral square really is: on the same edge, mirrored, and two squares
+/// further the same again.
 Vec2 wrapped(Vec2 p) {
+  if (p.x < -1 || p.x > 2) p.x -= 2 * std::floor(p.x / 2);
+  if (p.y < -1 || p.y > 2) p.y -= 2 * std::floor(p.y / 2);
   if (p.x < 0) p = {-p.x, 1 - p.y};
   if (p.x > 1) p = {2 - p.x, 1 - p.y};
   if (p.y < 0) p = {1 - p.x, -p.y};

@@ -148,7 +148,7 @@ void spread(Box& box, Records all) {
     box.halves = nullptr;
     return;
   }
-  EmissionRecord* to = &all[2 * box.place];
+  EmissionRecord* to = all.data() + 2 * box.place;  // perhaps of none
   for (const EmissionRecord& record : box.records) {
     *to = record, to++->value *= 1 - kBeside;
     *to = beside(record, box.box), to++->value *= kBeside;

@@ -95,6 +95,17 @@ TEST(Spherical, EqualAreaPixelsHaveEqualSolidAngles) {
   EXPECT_NEAR(seen->pixel_spacing(3), 3 * std::sqrt(4 * kPi) / 200, 1e-5f);
 }
 
+// A wide filter of a small picture reaches past several of its edges.
+TEST(Spherical, GoesOnBeyondManyEdges) {
+  const auto seen = spherical("equalarea", 8, 8);
+  for (const float x : {-37.f, -9.f, 3.f, 11.f, 26.f})
+    for (const float y : {-22.f, 2.f, 5.f, 30.f}) {
+      const Vec3 here = seen->ray({x, y}, {}).direction, two_on = seen->ray({x + 16, y - 32}, {}).direction;
+      EXPECT_NEAR(length(here), 1, 1e-5f) << x << " " << y;
+      EXPECT_LT(length(here - two_on), 1e-4f) << x << " " << y;
+    }
+}
+
 TEST(Spherical, ParametersThatPbrtIgnoresAreNoted) {
   EXPECT_EQ(errors_of(camera_plugins(), "spherical", {number("lensradius", 1)}, CameraContext{}),
             "parameter \"lensradius\" of plugin \"spherical\" has no effect, as in pbrt\n");
