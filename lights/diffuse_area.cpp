@@ -20,6 +20,7 @@
 // in all frames, emits all of its light, and no ray can hit it.
 //
 // [Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., 12.4]
+#include <cmath>
 #include <stdexcept>
 
 #include "dspm/base/colour/rgb.h"
@@ -101,7 +102,8 @@ class DiffuseArea final : public Light {
     const float distance = length(d);
     const Vec3 wi = d / distance;
     const Rgb radiance = emitted(s.point, -wi) * present_at(s.point);
-    if (!(distance > 0) || is_black(radiance)) return std::nullopt;
+    // Edge-on, rounding may leave a cosine here and none in the density.
+    if (!(distance > 0) || is_black(radiance) || !std::isfinite(s.pdf_w)) return std::nullopt;
     return glow_.hidden ? Illumination{wi, distance, radiance / s.pdf_w, 0, s.point.ng, s.primitive}
                         : Illumination{wi, distance, radiance, s.pdf_w, s.point.ng, s.primitive};
   }

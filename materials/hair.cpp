@@ -6,7 +6,7 @@
 //   reflectance   spectrum texture                 or: the colour of dense hair; `color` means the same
 //   eumelanin     float texture                    or: concentration of the brown pigment; 1.3 if nothing is given
 //   pheomelanin   float texture                    and of the red one
-//   eta           float texture            1.55    index of refraction of the fibre over outside
+//   eta           float texture            1.55    index of refraction of the fibre over outside, at least 1
 //   beta_m        float texture            0.3     roughness along the fibre, 0.01 to 1
 //   beta_n        float texture            0.3     roughness around it, 0.01 to 1
 //   alpha         float texture            2       tilt of the scales on the fibre (degrees)
@@ -199,13 +199,13 @@ class HairMaterial final : public Material {
     const TexturePoint at = texture_point(point);
     const float beta_m = std::clamp(beta_m_->evaluate(at), kSmoothest, 1.f),
                 beta_n = std::clamp(beta_n_->evaluate(at), kSmoothest, 1.f), tilt = alpha_->evaluate(at) * (kPi / 180);
-    return slot.emplace<Hair>(
-        point, FibreLook{sigma_a(at, beta_n), std::clamp(2 * point.uv.y - 1, -1.f, 1.f), eta_->evaluate(at),
-                         variance_of(beta_m), scale_of(beta_n), std::sin(tilt), std::cos(tilt)});
+    return slot.emplace<Hair>(point, FibreLook{sigma_a(at, beta_n), std::clamp(2 * point.uv.y - 1, -1.f, 1.f),
+                                               std::max(eta_->evaluate(at), kLeastEta), variance_of(beta_m),
+                                               scale_of(beta_n), std::sin(tilt), std::cos(tilt)});
   }
 
  private:
-  static constexpr float kSmoothest = 0.01f;
+  static constexpr float kSmoothest = 0.01f, kLeastEta = 1;
 
   Rgb sigma_a(const TexturePoint& at, float beta_n) const {
     if (sigma_a_) {
@@ -234,7 +234,9 @@ HairMaterial::HairMaterial(ParamReader& reader, const MaterialContext& context) 
   const float brown = reader.has("pheomelanin") ? 0 : kBrown;
   eumelanin_ = numbers("eumelanin", brown, "", "or: concentration of the brown pigment; 1.3 if nothing is given");
   pheomelanin_ = numbers("pheomelanin", 0, "", "concentration of the red pigment");
-  eta_ = numbers("eta", 1.55f, "", "index of refraction of the fibre over outside");
+  eta_ = numbers("eta", 1.55f, "", "index of refraction of the fibre over outside, at least 1");
+  if (const auto eta = eta_->constant(); eta && !(*eta >= kLeastEta))
+    reader.error("eta", "parameter \"eta\" of " + reader.subject() + " must be at least 1");
   beta_m_ = numbers("beta_m", 0.3f, "", "roughness along the fibre, from 0.01 to 1");
   beta_n_ = numbers("beta_n", 0.3f, "", "roughness around the fibre, from 0.01 to 1");
   alpha_ = numbers("alpha", 2, "degrees", "tilt of the scales on the fibre");

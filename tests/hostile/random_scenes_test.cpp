@@ -73,6 +73,9 @@ Seen render(const std::string& text, int iterations = 2) {
     for (int iteration = 0; iteration < iterations; ++iteration) integrator->iterate({iteration, *part});
     const Statistics statistics = integrator->statistics();
     seen.rejected += statistics.rejections.count();
+    for (const Rejections::Entry& entry : statistics.rejections.entries())
+      ADD_FAILURE() << fmt::format("not finite: element {} of kind {}, frame {}, pixel {}", entry.element.index,
+                                   static_cast<int>(entry.element.kind), entry.frame, entry.pixel);
     for (const EnergyBalance& e : statistics.energy)
       EXPECT_NEAR(e.absorbed + e.escaped + e.terminated + e.roulette, e.emitted, 1e-3 * e.emitted);
     for (std::size_t frame = 0; frame < interval.size(); ++frame)

@@ -108,6 +108,7 @@ TEST(Parameters, EtaIsANumberOrOfAGlass) {
     EXPECT_TRUE(contains(said(type, {bk7}), "has no dispersion: eta is 1.52")) << said(type, {bk7});
   EXPECT_TRUE(contains(said("dielectric", {rgb("eta", {1.5f, 1.6f, 1.7f})}), "eta is 1.6, the mean of its colours"));
   EXPECT_TRUE(contains(said("thindielectric", {number("eta", 0)}), "error: "));
+  EXPECT_TRUE(contains(said("hair", {number("eta", -1.55f)}), "must be at least 1"));
 }
 
 TEST(Parameters, ConductorsTakeReflectanceOrEtaAndK) {
