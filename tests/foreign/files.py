@@ -4,8 +4,8 @@ usage: files.py dspm"""
 import json, pathlib, subprocess, sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "tools/blender/dspm_blender"))
-from exr import Exr
 from support import Checks, is_there, np, read_png
+from exr import Exr  # after support, which says what is missing
 
 FRAMES, RATE, WIDTH, HEIGHT, MARGIN = 3, 8, 48, 32, 8
 EXR_FORMATS = [["--compression", "none", "--float"], ["--compression", "zips"], ["--compression", "rle", "--float"],
