@@ -52,7 +52,8 @@ set(toolkit_headers
   integrators/photons/memory_needs.h
   integrators/photons/photon.h integrators/photons/photon_grid.h integrators/photons/photon_map.h
   integrators/photons/photon_numbers.h
-  integrators/photons/radiance_estimate.h integrators/photons/same_surface.h integrators/photons/trace_hit_points.h integrators/photons/trace_photons.h
+  integrators/photons/radiance_estimate.h integrators/photons/same_surface.h
+  integrators/photons/trace_hit_points.h integrators/photons/trace_photons.h
   integrators/transport/balance.h integrators/transport/body.h integrators/transport/branching_path.h
   integrators/transport/camera_path.h integrators/transport/direct_light.h integrators/transport/joint_path.h
   integrators/transport/left_in_media.h integrators/transport/light_value.h integrators/transport/medium_boundary.h

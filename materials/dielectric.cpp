@@ -68,7 +68,7 @@ class SmoothDielectric final : public Bsdf {
     if (!leaving) return std::nullopt;
     BsdfSample sample{leaving->wi, Rgb(weight / leaving->share), 0, true,
                       reflected ? 1 : transport_scale(transport, eta)};
-    if (refraction_.disperses()) refraction_.apply_to(sample, !reflected, side);
+    refraction_.apply_to(sample, !reflected, side);
     return sample;
   }
 
@@ -148,14 +148,14 @@ class RoughDielectric final : public Bsdf {
       const float pdf = leaving->share * density_above(o, *i, side, lobes);
       if (!(pdf > 0)) return std::nullopt;
       BsdfSample sample{leaving->wi, Rgb(f_above(o, *i, side, lobes) * i->z / pdf), pdf, false};
-      if (refraction_.disperses()) refraction_.apply_to(sample, false, side);
+      refraction_.apply_to(sample, false, side);
       return sample;
     }
     const float chance = leaving->share * by_facets * (1 - mirror), scale = transport_scale(transport, eta);
     const float weight = (1 - fresnel) / chance * facets_.visible_after(o, *i);
     const float pdf = chance * facets_.visible_density(o, m) * solid_angle_ratio(o, *i, m, eta);
     BsdfSample sample{leaving->wi, Rgb(weight * scale), pdf, false, scale};
-    if (refraction_.disperses()) refraction_.apply_to(sample, true, side);
+    refraction_.apply_to(sample, true, side);
     return sample;
   }
 

@@ -45,7 +45,7 @@ bool read_energy_compensation(ParamReader& reader, const MaterialContext& contex
 
 float read_eta(ParamReader& reader, float fallback, const std::string& name) {
   const Rgb eta = reader.rgb(name, Rgb(fallback), SpectrumRole::unbounded, "index of refraction inside over outside");
-  const float mean = (eta.r + eta.g + eta.b) / 3;
+  const float mean = dspm::mean(eta);
   if (!(mean > 0)) {
     reader.error(name, fmt::format("parameter \"{}\" of {} must be above 0", name, reader.subject()));
     return fallback;

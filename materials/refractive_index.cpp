@@ -17,7 +17,7 @@ constexpr float kYellowNm = 587.56f, kBlueNm = 486.13f, kRedNm = 656.27f;  // d,
 
 std::vector<float> by_nm(const Spectrum& spectrum) {
   std::vector<float> values;
-  for (int nm = kShortestNm; nm <= kLongestNm; ++nm)
+  for (int nm = kFirstNm; nm <= kLastNm; ++nm)
     values.push_back(spectrum.at(std::clamp(static_cast<float>(nm), spectrum.nm.front(), spectrum.nm.back())));
   return values;
 }
@@ -47,7 +47,7 @@ RefractiveIndex RefractiveIndex::of_abbe(float eta, float abbe) {
   const auto inverse_square = [](float nm) { return 1 / (nm * nm); };
   const float b = (eta - 1) / (abbe * (inverse_square(kBlueNm) - inverse_square(kRedNm)));
   Spectrum spectrum;
-  for (int nm = kShortestNm; nm <= kLongestNm; ++nm) {
+  for (int nm = kFirstNm; nm <= kLastNm; ++nm) {
     const float at = static_cast<float>(nm);
     spectrum.nm.push_back(at);
     spectrum.values.push_back(eta + b * (inverse_square(at) - inverse_square(kYellowNm)));
@@ -98,11 +98,6 @@ Refraction::Refraction(const RefractiveIndex& inside, const SurfacePoint& point)
   if (point.wavelength.nm == 0 || !(inside.disperses() || point.outside_dispersion != 1)) return;
   eta = inside.at(point.wavelength) / (point.outside_eta * point.outside_dispersion);
   wavelength = point.wavelength;
-}
-
-void Refraction::apply_to(BsdfSample& sample, bool refracted, float side) const {
-  sample.weight *= refracted ? hue_of_refracted() : hue_of_mirrored(side);
-  sample.by_wavelength = refracted || mirrors_by_wavelength(side);
 }
 
 }  // namespace dspm

@@ -17,17 +17,17 @@ namespace dspm {
 class RefractiveIndex {
  public:
   explicit RefractiveIndex(float constant) : mean_(constant) {}
-  /// Takes the index between 360 and 830 nm from the spectrum, beyond whose ends it is constant. `mean` is used wherever light
-  /// is not refracted.
+  /// Takes the index between 360 and 830 nm from the spectrum, beyond whose ends it is constant. `mean` is used wherever
+  /// light is not refracted.
   RefractiveIndex(const Spectrum& spectrum, float mean);
-  /// Returns the index that is `eta` at 587.6 nm, and differs as much as this Abbe number says, (eta - 1) / (eta_F - eta_C)
-  /// at 486.1 and 656.3 nm, by Cauchy's equation a + b / nm^2. Infinite: it does not differ.
+  /// Returns the index that is `eta` at 587.6 nm and has this Abbe number, (eta - 1) / (eta_F - eta_C) at 486.1 and 656.3
+  /// nm, by Cauchy's equation a + b / nm^2. Infinite: it is constant.
   static RefractiveIndex of_abbe(float eta, float abbe);
 
   float mean() const { return mean_; }
   bool disperses() const { return by_nm_ != nullptr; }
   float at(const Wavelength& w) const {
-    return w.nm == 0 || !disperses() ? mean_ : (*by_nm_)[static_cast<std::size_t>(w.nm - kShortestNm)];
+    return w.nm == 0 || !disperses() ? mean_ : (*by_nm_)[static_cast<std::size_t>(w.nm - kFirstNm)];
   }
   float lowest() const;
 
@@ -50,9 +50,9 @@ struct Refraction {
   Refraction(const RefractiveIndex& inside, const SurfacePoint& point);
 
   bool disperses() const { return wavelength.nm != 0; }
-  /// Returns whether what is mirrored on that side (+1 outside) depends on the wavelength. Where light comes from what is less
-  /// dense it hardly does, so light keeps all of its colours; from what is denser, some wavelengths are mirrored totally, and
-  /// others are not.
+  /// Returns whether what is mirrored on that side (+1 outside) depends on the wavelength. Where light comes from what is
+  /// less dense it hardly does, so light keeps all of its colours; from what is denser, some wavelengths are mirrored
+  /// totally, and others are not.
   bool mirrors_by_wavelength(float side) const { return disperses() && (wavelength.alone || eta_from(side) < 1); }
   /// The index by which it is mirrored on that side, beyond over here.
   float mirroring_eta(float side) const {
@@ -64,7 +64,11 @@ struct Refraction {
   Rgb hue_of_mirrored(float side) const { return mirrors_by_wavelength(side) ? hue_of_refracted() : Rgb(1); }
   Rgb hue_of_refracted() const { return wavelength.hue_on_refraction(); }
   /// Gives a sample that leaves on the other side, or is mirrored on that `side`, its hue.
-  void apply_to(BsdfSample& sample, bool refracted, float side) const;
+  void apply_to(BsdfSample& sample, bool refracted, float side) const {
+    if (!disperses()) return;
+    sample.weight *= refracted ? hue_of_refracted() : hue_of_mirrored(side);
+    sample.by_wavelength = refracted || mirrors_by_wavelength(side);
+  }
   friend bool operator==(const Refraction&, const Refraction&) = default;
 };
 

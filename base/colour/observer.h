@@ -10,7 +10,7 @@
 
 namespace dspm {
 
-inline constexpr int kFirstNm = 360, kLastNm = 830, kObserverStep = 5;
+inline constexpr int kObserverStep = 5;
 
 struct Xyz {
   double x = 0, y = 0, z = 0;

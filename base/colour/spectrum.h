@@ -19,6 +19,8 @@ enum class SpectrumRole {
   illuminant,  // emission: its colour at luminance 1, whatever its samples' unit, as in pbrt; "scale" sets the strength
 };
 
+inline constexpr int kFirstNm = 360, kLastNm = 830;  // where the observer sees anything
+
 /// A function of wavelength (nm, ascending), linear between samples and, as in pbrt, zero outside.
 struct Spectrum {
   std::vector<float> nm, values;

@@ -10,7 +10,7 @@
 namespace dspm {
 namespace {
 
-constexpr std::size_t kCount = kLongestNm - kShortestNm + 1;
+constexpr std::size_t kCount = kLastNm - kFirstNm + 1;
 
 struct Hues {
   std::array<Rgb, kCount> hue;
@@ -22,7 +22,7 @@ struct Hues {
     std::array<std::array<double, 3>, kCount> colours;
     std::array<double, 3> white{};
     for (std::size_t i = 0; i < kCount; ++i) {
-      const int nm = kShortestNm + static_cast<int>(i);
+      const int nm = kFirstNm + static_cast<int>(i);
       const double power = daylight.at(static_cast<float>(nm));
       const Xyz seen = observer(nm);
       colours[i] = rec709({seen.x * power, seen.y * power, seen.z * power});
@@ -44,14 +44,14 @@ const Hues& hues() {
   return made;
 }
 
-std::size_t index_of(int nm) { return static_cast<std::size_t>(nm - kShortestNm); }
+std::size_t index_of(int nm) { return static_cast<std::size_t>(nm - kFirstNm); }
 
 }  // namespace
 
 std::int16_t wavelength_at(double u) {
   const auto& sums = hues().sums;
   const auto found = std::upper_bound(sums.begin(), sums.end() - 1, u * sums.back());
-  return static_cast<std::int16_t>(kShortestNm + (found - sums.begin()));
+  return static_cast<std::int16_t>(kFirstNm + (found - sums.begin()));
 }
 
 std::int16_t wavelength_of(std::uint64_t seed, std::uint64_t iteration) {

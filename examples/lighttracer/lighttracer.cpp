@@ -32,8 +32,7 @@ class PhotonTracer {
         PathState& path = branches_.push({start->ray, flux, frames});
         path.random = random;
         // Glass may refract by the iteration's wavelength, and colours what it refracts.
-        if (scene_.disperses)
-          path.wavelength = {.nm = wavelength_of(render_.seed, static_cast<std::uint64_t>(iteration)), .weighs = true};
+        path.wavelength = {.nm = scene_.nm_of(render_.seed, static_cast<std::uint64_t>(iteration)), .weighs = true};
       });
     }
     branches_.follow(*this);

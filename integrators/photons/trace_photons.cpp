@@ -254,8 +254,7 @@ std::size_t bytes_of(const std::vector<PhotonTrace>& traces) {
 std::vector<PhotonTrace> trace_photons(const Scene& scene, const PhotonSettings& settings, std::uint64_t iteration,
                                        std::int64_t first, std::int64_t end, std::vector<PhotonTrace> reuse) {
   const PhotonStarts starts(scene, settings.share_paths);
-  const bool shares_wavelength = scene.disperses && !settings.own_wavelengths;
-  const std::int16_t only_nm = shares_wavelength ? wavelength_of(settings.seed, iteration) : std::int16_t{0};
+  const std::int16_t only_nm = settings.own_wavelengths ? std::int16_t{0} : scene.nm_of(settings.seed, iteration);
   reuse.resize(static_cast<std::size_t>(chunk_count(end - first, settings.paths_per_trace)));
   parallel_chunks(end - first, settings.paths_per_trace, [&](std::int64_t chunk, std::int64_t chunk_end) {
     PhotonTrace& trace = reuse[static_cast<std::size_t>(chunk / settings.paths_per_trace)];

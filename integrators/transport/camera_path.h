@@ -112,7 +112,7 @@ void start_camera_paths(const Scene& scene, const RenderSettings& render, int x,
                         FrameSet among, Start&& start, Lost&& lost) {
   CameraPath path;
   path.pixel = pixel_in_crop(render.crop, x, y), path.width = path_width(render, iteration);
-  if (scene.disperses) path.wavelength = {.nm = wavelength_of(render.seed, iteration), .weighs = true};
+  path.wavelength = {.nm = scene.nm_of(render.seed, iteration), .weighs = true};
   scene.camera.for_each(among & scene.frames(), [&](FrameSet frames, const Camera& camera) {
     path.random = camera_numbers(render, camera_seed(render, camera), x, y, iteration);
     const Vec2 film = film_point(render, x, y, path.random), lens = path.random.pair(0, kLightDirection);

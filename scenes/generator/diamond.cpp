@@ -1,26 +1,16 @@
-// The stone of diamond.dsc: diamond.ply, a round brilliant of radius 1 whose girdle lies around the origin, table up (y). It is
-// what is left of space behind the planes of its facets, as a stone is ground. Angles and sizes are those of an ideal cut
-// [Tolkowsky 1919, and the steeper halves of today].
-#include <array>
+// The stone of diamond.dsc: diamond.ply, a round brilliant of radius 1 whose girdle lies around the origin, table up (y).
+// It is the intersection of the half-spaces below its facets, as a cutter grinds a stone. Angles and sizes are those of an
+// ideal cut [Tolkowsky 1919, and the steeper halves of today].
 #include <cmath>
 #include <vector>
 
 #include "dspm/base/math/vec.h"
+#include "dspm/shapes/double_vec.h"
 #include "scenes/generator/mesh_file.h"
 #include "scenes/generator/subjects.h"
 
 namespace dspm {
 namespace {
-
-struct Point {
-  double x, y, z;
-};
-Point operator+(const Point& a, const Point& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-Point operator*(const Point& a, double s) { return {a.x * s, a.y * s, a.z * s}; }
-double dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Point cross(const Point& a, const Point& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr double kGirdle = 0.02;    // half its height
@@ -31,14 +21,14 @@ constexpr double kSameCorner = 1e-6;
 
 /// The stone lies where dot(normal, p) <= offset.
 struct Facet {
-  Point normal;
+  DoubleVec3 normal;
   double offset;
 };
 
 /// A facet that leans by `degrees` from lying flat, up or down, and passes through a point of that radius and height.
 Facet facet(double azimuth, double degrees, bool up, double radius, double height) {
   const double lean = degrees * kDegree, a = azimuth * kDegree;
-  const Point normal{std::sin(lean) * std::cos(a), (up ? 1 : -1) * std::cos(lean), std::sin(lean) * std::sin(a)};
+  const DoubleVec3 normal{std::sin(lean) * std::cos(a), (up ? 1 : -1) * std::cos(lean), std::sin(lean) * std::sin(a)};
   return {normal, std::sin(lean) * radius + normal.y * height};
 }
 
@@ -61,11 +51,11 @@ std::vector<Facet> facets() {
   return all;
 }
 
-/// Returns the part of a polygon that is behind the plane.
-std::vector<Point> cut(const std::vector<Point>& polygon, const Facet& plane) {
-  std::vector<Point> rest;
+/// Returns the part of a polygon on the inner side of the plane.
+std::vector<DoubleVec3> cut(const std::vector<DoubleVec3>& polygon, const Facet& plane) {
+  std::vector<DoubleVec3> rest;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
+    const DoubleVec3 &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
     const double a = dot(plane.normal, from) - plane.offset, b = dot(plane.normal, to) - plane.offset;
     if (a <= kRounding) rest.push_back(from);
     if ((a < -kRounding && b > kRounding) || (a > kRounding && b < -kRounding))
@@ -75,17 +65,17 @@ std::vector<Point> cut(const std::vector<Point>& polygon, const Facet& plane) {
 }
 
 /// Returns a square in the plane, counterclockwise seen from outside.
-std::vector<Point> square(const Facet& plane) {
-  const Point& n = plane.normal;
-  Point u = std::abs(n.y) < 0.9 ? cross({0, 1, 0}, n) : cross({1, 0, 0}, n);
-  u = u * (kLargest / std::sqrt(dot(u, u)));
-  const Point v = cross(n, u), middle = n * plane.offset;
+std::vector<DoubleVec3> square(const Facet& plane) {
+  const DoubleVec3& n = plane.normal;
+  DoubleVec3 u = std::abs(n.y) < 0.9 ? cross({0, 1, 0}, n) : cross({1, 0, 0}, n);
+  u = u * (kLargest / length(u));
+  const DoubleVec3 v = cross(n, u), middle = n * plane.offset;
   return {middle + u + v, middle + u * -1 + v, middle + u * -1 + v * -1, middle + u + v * -1};
 }
 
 /// Facets that meet share their corners, so that the stone is closed.
-int corner(MeshData& mesh, const Point& p) {
-  const Vec3 at{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+int corner(MeshData& mesh, const DoubleVec3& p) {
+  const Vec3 at = narrow(p);
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
     if (length2(mesh.vertices[i] - at) < static_cast<float>(kSameCorner * kSameCorner)) return static_cast<int>(i);
   mesh.vertices.push_back(at);
@@ -98,11 +88,11 @@ void make_diamond(const std::filesystem::path& directory) {
   MeshData mesh;
   const std::vector<Facet> planes = facets();
   for (const Facet& own : planes) {
-    std::vector<Point> polygon = square(own);
+    std::vector<DoubleVec3> polygon = square(own);
     for (const Facet& other : planes)
       if (&other != &own) polygon = cut(polygon, other);
     std::vector<int> corners;
-    for (const Point& p : polygon)
+    for (const DoubleVec3& p : polygon)
       if (const int c = corner(mesh, p); corners.empty() || (c != corners.back() && c != corners.front()))
         corners.push_back(c);
     for (std::size_t i = 2; i < corners.size(); ++i) mesh.faces.push_back({corners[0], corners[i - 1], corners[i]});

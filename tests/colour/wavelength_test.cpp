@@ -13,7 +13,7 @@ namespace {
 TEST(Hue, IsWhiteOnAverageAndNeverNegative) {
   double all = 0;
   std::array<double, 3> white{};
-  for (int nm = kShortestNm; nm <= kLongestNm; ++nm) {
+  for (int nm = kFirstNm; nm <= kLastNm; ++nm) {
     const double p = wavelength_probability(nm);
     all += p;
     for (int c = 0; c < 3; ++c) {
@@ -56,7 +56,7 @@ TEST(Wavelengths, AreSpreadEvenlyOverAnyIterations) {
 
 TEST(Wavelengths, FollowTheirProbability) {
   double sum = 0;
-  for (int nm = kShortestNm; nm < kLongestNm; ++nm) {
+  for (int nm = kFirstNm; nm < kLastNm; ++nm) {
     const double p = wavelength_probability(nm);
     if (p > 1e-6) {
       EXPECT_EQ(wavelength_at(sum + p / 2), nm);

@@ -138,8 +138,8 @@ Shape "trianglemesh" "integer indices" [0 2 1 0 3 2  4 5 6 4 6 7  0 1 5 0 5 4  1
   }
 }
 
-/// What a drop of water throws back of a beam along z onto a screen 100 behind it, between the radii 78 and 95, by Snell and
-/// Fresnel: a bow of 42 degrees.
+/// A drop of water sends part of a beam along z back onto a screen 100 away. Returns what the screen gets between the
+/// radii 78 and 95, by Snell and Fresnel: a bow of 42 degrees.
 std::array<Channel, 3> expected_bow() {
   constexpr int kBeams = 20'000;
   const auto water = material_of(R"("dielectric" "string glass" "water")");

@@ -2,6 +2,7 @@
 // is const, and frames count from 0 at the first frame that is rendered.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "dspm/accel/accel.h"
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/wavelength.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/transform.h"
 #include "dspm/base/math/vec.h"
@@ -139,6 +141,10 @@ class Scene {
     if (interface_of.empty()) return nullptr;
     const int index = interface_of[static_cast<std::size_t>(shape)];
     return index < 0 ? nullptr : &interfaces[static_cast<std::size_t>(index)];
+  }
+  /// Returns the wavelength of all paths of an iteration; 0 if no body refracts by it.
+  std::int16_t nm_of(std::uint64_t seed, std::uint64_t iteration) const {
+    return disperses ? wavelength_of(seed, iteration) : std::int16_t{0};
   }
   /// Returns the surface where a ray of that direction hit.
   SurfacePoint surface_point(const RayHit& hit, const Vec3& direction) const {

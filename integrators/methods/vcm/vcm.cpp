@@ -71,8 +71,7 @@ VcmPass pass_of(const VcmSettings& settings, const Scene& scene, const RenderSet
   }
   if (settings.sight) ways.sighting = paths;
   ways.connecting = settings.connect;
-  const std::int16_t nm = scene.disperses ? wavelength_of(render.seed, iteration) : std::int16_t{0};
-  return {scene, render, settings, iteration, radius, in_media, ways, guides, nm};
+  return {scene, render, settings, iteration, radius, in_media, ways, guides, scene.nm_of(render.seed, iteration)};
 }
 
 /// Learns where light paths start that shadow rays cannot replace.
