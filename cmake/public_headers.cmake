@@ -3,7 +3,7 @@
 # and may change with any version.
 set(public_headers
   accel/accel.h
-  base/colour/colour_space.h base/colour/rgb.h base/colour/spectrum.h base/colour/wavelength.h
+  base/colour/colour_space.h base/colour/componentwise.h base/colour/palette.h base/colour/rgb.h base/colour/spectral_curve.h base/colour/spectrum.h base/colour/wavelength.h
   base/math/bins.h base/math/frame_array.h base/math/frames.h base/math/owen.h base/math/ray.h base/math/rng.h
   base/math/sampling.h base/math/simd.h
   base/math/transform.h base/math/vec.h base/math/vertex_data.h
@@ -36,7 +36,7 @@ set(testing_headers
   testing/scattering_cases.h testing/scenes.h testing/test_scene.h testing/verdict.h)
 set(toolkit_headers
   accel/box_ray.h accel/cut_query.h accel/hits.h accel/meet.h
-  base/colour/rgb_lanes.h
+  base/colour/spectrum_lanes.h
   base/grid/buffer.h base/grid/point_grid.h base/grid/points_within.h
   base/math/frame_lanes.h base/math/rounded.h
   cameras/blades.h cameras/projection.h

@@ -13,6 +13,7 @@
 namespace dspm {
 
 /// Light that a camera path saw without photons: emission or sampled direct light, as radiance times throughput.
+/// It is what the palette of its iteration sees (Palette::seen).
 struct SeenLight {
   FrameSet frames;
   Rgb radiance;

@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/interior.h"
 
@@ -24,9 +24,9 @@ using LobeSet = std::uint8_t;
 
 struct BsdfSample {
   Vec3 wi;
-  Rgb weight;     // f |cos(wi, ns)| / pdf_w; for a specular lobe: its albedo over the probability of its choice
-  float pdf_w;    // by solid angle, over the requested lobes; 0 if specular
-  bool specular;  // the direction was the only possible one: pdf_w and evaluate ignore it
+  Spectrum weight;  // f |cos(wi, ns)| / pdf_w; for a specular lobe: its albedo over the probability of its choice
+  float pdf_w;      // by solid angle, over the requested lobes; 0 if specular
+  bool specular;    // the direction was the only possible one: pdf_w and evaluate ignore it
   // The factor of refraction on radiance, (eta_i/eta_t)^2, which is undone on the way out: Russian roulette ignores it.
   float eta_scale = 1;
   // Of the boundary of a body that scatters inside: what lies along wi, nothing if that is outside. Else nullopt.
@@ -45,7 +45,7 @@ class Bsdf {
   /// distinguishes reflection from transmission; if it and ns disagree about the side that light comes from (wi for
   /// radiance, wo for flux), f is 0. So f for flux is f for radiance with the directions exchanged; the cosines of
   /// fibres (hair.cpp) are those of a surface that turns to each ray.
-  virtual Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const = 0;
+  virtual Spectrum evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const = 0;
   /// The density of sample() by solid angle, given that it samples `lobes`.
   virtual float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const = 0;
   /// Samples wi from `lobes`; nullopt if the light is absorbed. u.z chooses the lobe, so that coupled frames choose
@@ -63,10 +63,10 @@ class Bsdf {
   /// Returns f if it is the same for all pairs of directions on the outer (ng) side or on both sides, and black through
   /// the surface; otherwise nullopt. Gathering then sums flux first and multiplies once; it handles light on the wrong
   /// side of ns itself.
-  virtual std::optional<Rgb> lambertian(LobeSet) const { return std::nullopt; }
+  virtual std::optional<Spectrum> lambertian(LobeSet) const { return std::nullopt; }
   /// Returns f over the f of `other`, a Bsdf at the same point, if the ratio is one colour for all directions: Bsdfs
   /// that differ only in colour are then evaluated once. Returns nullopt if it is not, or if it is not known.
-  virtual std::optional<Rgb> ratio_to(const Bsdf& /*other*/, LobeSet) const { return std::nullopt; }
+  virtual std::optional<Spectrum> ratio_to(const Bsdf& /*other*/, LobeSet) const { return std::nullopt; }
 
  protected:
   ~Bsdf() = default;
@@ -76,13 +76,13 @@ class Bsdf {
 /// compilers that we use because a Bsdf owns nothing and has no virtual base.
 class BsdfSlot {
  public:
-  static constexpr std::size_t kSize = 104;
+  static constexpr std::size_t kSize = 112;
 
   template <class T, class... Args>
   const Bsdf& emplace(Args&&... args) {
     static_assert(std::is_base_of_v<Bsdf, T>, "a class in a BsdfSlot must be derived from Bsdf");
     static_assert(sizeof(T) <= kSize,
-                  "this Bsdf is larger than the 104 bytes of a BsdfSlot: keep the data that all "
+                  "this Bsdf is larger than the 112 bytes of a BsdfSlot: keep the data that all "
                   "points share in the Material, and a pointer to it here");
     static_assert(alignof(T) <= 8, "this Bsdf is aligned to more than 8 bytes: keep SIMD values as plain floats");
     static_assert(std::is_trivially_destructible_v<T>,

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 
 namespace dspm {
 

@@ -27,7 +27,7 @@
 #include <cmath>
 #include <memory>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/sampling.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
@@ -119,9 +119,9 @@ class CoatedConductor final : public Bsdf {
     return if_rough(kCoat, is_coat_smooth(), coat()) | rest;
   }
 
-  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+  Spectrum evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
     const LocalPair w(frame_, wo, wi, transport);
-    return w.reflection() ? f(w.wo, w.wi, lobes) : Rgb(0);
+    return w.reflection() ? f(w.wo, w.wi, lobes) : Spectrum(0);
   }
   float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
     const LocalPair w(frame_, wo, wi, transport);
@@ -178,13 +178,13 @@ class CoatedConductor final : public Bsdf {
   }
 
   /// Returns what smooth metal mirrors under a smooth coat.
-  Rgb mirrored(const Vec3& o) const {
+  Spectrum mirrored(const Vec3& o) const {
     const float coat = shared_->mirrored(o.z);
     const auto inside = is_mirror() ? shared_->inside(o) : std::nullopt;
-    if (!inside) return Rgb(coat);
+    if (!inside) return Spectrum(coat);
     const float left = shared_->coat.left(inside->z), through = (1 - coat) * (1 - coat) * left * left;
-    const Rgb metal = fresnel_conductor(inside->z, index_.eta, index_.k);
-    Rgb sum;
+    const Spectrum metal = fresnel_conductor(inside->z, index_.eta, index_.k);
+    Spectrum sum;
     for (int c = 0; c < 3; ++c) sum[c] = coat + through * metal[c] / (1 - coat * metal[c] * left * left);
     return sum;
   }
@@ -198,12 +198,12 @@ class CoatedConductor final : public Bsdf {
     return Vec3{i.x * eta, i.y * eta, std::sqrt(cos2)};
   }
 
-  Rgb f(const Vec3& o, const Vec3& i, LobeSet lobes) const {
-    Rgb sum;
+  Spectrum f(const Vec3& o, const Vec3& i, LobeSet lobes) const {
+    Spectrum sum;
     const float mirrored_o = shared_->mirrored(o.z), mirrored_i = shared_->mirrored(i.z);
     if ((lobes & kCoat) && !is_coat_smooth()) {
       const Vec3 m = normalize(o + i);
-      sum += Rgb(shared_->coat.mirrored_by_facet(dot(o, m), o.z, i.z) * coat().reflection(o, i, m));
+      sum += Spectrum(shared_->coat.mirrored_by_facet(dot(o, m), o.z, i.z) * coat().reflection(o, i, m));
     }
     if (is_mirror()) return sum;
     const auto in = shared_->inside(o), out = shared_->inside(i);
@@ -212,16 +212,16 @@ class CoatedConductor final : public Bsdf {
       const Coat& coat = shared_->coat;
       const float facets =
           metal().reflection(*in, *out, m) * coat.left(in->z) * coat.left(out->z) / (coat.eta * coat.eta);
-      const Rgb metal = fresnel_conductor(dot(*in, m), index_.eta, index_.k);
+      const Spectrum metal = fresnel_conductor(dot(*in, m), index_.eta, index_.k);
       for (int c = 0; c < 3; ++c) sum[c] += passed_twice(mirrored_o, mirrored_i, metal[c]) * metal[c] * facets;
     }
     if (shared_->makes_up && (lobes & kMadeUp)) sum += made_up(o.z, i.z);
     return sum;
   }
 
-  Rgb made_up(float cos_o, float cos_i) const {
+  Spectrum made_up(float cos_o, float cos_i) const {
     const float alpha = metal_alpha(), lost = shared_->lost_mean(alpha, coat_alpha());
-    const Rgb metal = mean_fresnel_conductor(index_.eta, index_.k);
+    const Spectrum metal = mean_fresnel_conductor(index_.eta, index_.k);
     const float leaves = std::min(1.f, shared_->by_way->mean(alpha) / (1 - shared_->mirrored_mean));
     return after_more_reflections(metal, leaves) *
            dspm::made_up(shared_->lost(cos_o, alpha, coat_alpha()), shared_->lost(cos_i, alpha, coat_alpha()), lost);

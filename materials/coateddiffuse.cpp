@@ -32,6 +32,7 @@
 #include <typeinfo>
 
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/sampling.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
@@ -52,7 +53,7 @@ constexpr LobeSet kCoatLobe = kReflection, kBaseLobe = kTransmission;
 class CoatedDiffuse final : public Bsdf {
  public:
   /// `base` is the factor of what the coat lets through for wo and for wi. The coat must outlive it.
-  CoatedDiffuse(const ShadingFrame& frame, Vec2 alpha, const Coat& coat, const Rgb& base)
+  CoatedDiffuse(const ShadingFrame& frame, Vec2 alpha, const Coat& coat, const Spectrum& base)
       : frame_(frame),
         coat_(&coat),
         facets_(alpha),
@@ -66,9 +67,9 @@ class CoatedDiffuse final : public Bsdf {
     return coat_alpha >= std::max(least_alpha, 0.f) ? kBothLobes : kBaseLobe;
   }
 
-  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+  Spectrum evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
     const LocalPair w(frame_, wo, wi, transport);
-    return w.reflection() ? f(w.wo, w.wi, lobes) : Rgb(0);
+    return w.reflection() ? f(w.wo, w.wi, lobes) : Spectrum(0);
   }
 
   float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
@@ -91,7 +92,7 @@ class CoatedDiffuse final : public Bsdf {
     const auto leaving = frame_.leave(i, side, transport, u.x);
     if (!leaving) return std::nullopt;
     if (coat && smooth_)
-      return BsdfSample{leaving->wi, Rgb(fresnel_dielectric(o.z, eta_) / (chance * leaving->share)), 0, true};
+      return BsdfSample{leaving->wi, Spectrum(fresnel_dielectric(o.z, eta_) / (chance * leaving->share)), 0, true};
     const float pdf = leaving->share * density(o, i, lobes);
     return BsdfSample{leaving->wi, f(o, i, lobes) * (i.z / pdf), pdf, false};
   }
@@ -100,7 +101,7 @@ class CoatedDiffuse final : public Bsdf {
     return share_of(share_of_coat(std::abs(frame_.local(wo, frame_.side(wo)).z)), lobes);
   }
 
-  std::optional<Rgb> ratio_to(const Bsdf& other, LobeSet lobes) const override {
+  std::optional<Spectrum> ratio_to(const Bsdf& other, LobeSet lobes) const override {
     if (typeid(other) != typeid(CoatedDiffuse)) return std::nullopt;
     const auto& o = static_cast<const CoatedDiffuse&>(other);
     if (eta_ != o.eta_ || ((lobes & kCoatLobe) && !(smooth_ && o.smooth_)) || !lets_through_as(o)) return std::nullopt;
@@ -128,12 +129,12 @@ class CoatedDiffuse final : public Bsdf {
   float chance_of_coat(const Vec3& o, LobeSet lobes) const { return chance_of_reflection(share_of_coat(o.z), lobes); }
 
   /// Returns f for directions above the surface, as does the density.
-  Rgb f(const Vec3& o, const Vec3& i, LobeSet lobes) const {
-    Rgb sum;
+  Spectrum f(const Vec3& o, const Vec3& i, LobeSet lobes) const {
+    Spectrum sum;
     if (lobes & kBaseLobe) sum += base_ * (let_through(o) * let_through(i));
     if ((lobes & kCoatLobe) && !smooth_) {
       const Vec3 m = normalize(o + i);
-      sum += Rgb(coat_->mirrored_by_facet(dot(o, m), o.z, i.z) * facets_.reflection(o, i, m));
+      sum += Spectrum(coat_->mirrored_by_facet(dot(o, m), o.z, i.z) * facets_.reflection(o, i, m));
     }
     return sum;
   }
@@ -151,7 +152,7 @@ class CoatedDiffuse final : public Bsdf {
   Ggx facets_;
   bool smooth_;
   float eta_;
-  Rgb base_;
+  Spectrum base_;
   float base_weight_;  // of the transmitted light, when a lobe is chosen
 };
 
@@ -176,7 +177,7 @@ class CoatedDiffuseMaterial final : public Material {
   }
 
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
-    const Rgb a = clamped_albedo(reflectance_->evaluate(texture_point(point)));
+    const Spectrum a = clamped_albedo(reflectance_->carried(texture_point(point)));
     const Vec2 alpha = roughness_.alpha(point);
     return slot.emplace<CoatedDiffuse>(ShadingFrame(point), alpha, coat_,
                                        coat_.loses ? walked(a, alpha) : all(a, alpha));
@@ -197,21 +198,21 @@ class CoatedDiffuseMaterial final : public Material {
   }
 
   /// Returns the base's factor over eta^2, which is 0 if no light gets in. By reciprocity, 1 - F_in is let_in / eta^2.
-  Rgb all(const Rgb& a, Vec2 alpha) const {
+  Spectrum all(const Spectrum& a, Vec2 alpha) const {
     const bool smooth = Ggx::is_smooth(alpha) || !coat_.facets;
     const float let_in = smooth ? let_in_ : 1 - coat_.mirrored(Ggx(alpha)).mean();
-    Rgb base;
+    Spectrum base;
     for (int c = 0; c < 3; ++c) {
       const float remaining = coat_.eta * coat_.eta * (1 - a[c]) + a[c] * let_in;
       base[c] = remaining > 0 ? a[c] / (kPi * remaining) : 0;
     }
     return base;
   }
-  Rgb walked(const Rgb& a, Vec2 alpha) const {
+  Spectrum walked(const Spectrum& a, Vec2 alpha) const {
     const bool smooth = Ggx::is_smooth(alpha) || coat_.eta == 1;
     const float back =
         smooth ? mirrored_inside_ : left_inside_ * coat_.facets->inside.reflected.mean(Coat::mean_alpha(Ggx(alpha)));
-    Rgb base;
+    Spectrum base;
     for (int c = 0; c < 3; ++c) {
       const float again = a[c] * back;
       const float sum = again < 1 ? (1 - std::pow(again, static_cast<float>(walk_.visits))) / (1 - again)

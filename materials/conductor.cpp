@@ -17,7 +17,7 @@
 // [Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces; Heitz 2014; Kulla and Conty 2017]
 #include <algorithm>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/sampling.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
@@ -37,7 +37,7 @@ class SmoothConductor final : public Bsdf {
   SmoothConductor(const ShadingFrame& frame, const MetalIndex& index) : frame_(frame), index_(index) {}
 
   LobeSet lobes(float least_alpha) const override { return least_alpha <= 0 ? 1 : 0; }
-  Rgb evaluate(const Vec3&, const Vec3&, Transport, LobeSet) const override { return {}; }
+  Spectrum evaluate(const Vec3&, const Vec3&, Transport, LobeSet) const override { return {}; }
   float pdf_w(const Vec3&, const Vec3&, Transport, LobeSet) const override { return 0; }
   std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const override {
     const float side = frame_.side(wo);
@@ -68,9 +68,9 @@ class RoughConductor final : public Bsdf {
     return static_cast<LobeSet>(mirrors | (tables_ != nullptr ? kMadeUp : 0));
   }
 
-  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+  Spectrum evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
     const LocalPair w(frame_, wo, wi, transport);
-    return w.reflection() ? f(w.wo, w.wi, lobes) : Rgb(0);
+    return w.reflection() ? f(w.wo, w.wi, lobes) : Spectrum(0);
   }
 
   float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
@@ -108,8 +108,8 @@ class RoughConductor final : public Bsdf {
     return lobes & kFacets ? std::clamp(1 - albedo().of(o), kLeast, 1 - kLeast) : 1;
   }
 
-  Rgb f(const Vec3& o, const Vec3& i, LobeSet lobes) const {
-    Rgb sum;
+  Spectrum f(const Vec3& o, const Vec3& i, LobeSet lobes) const {
+    Spectrum sum;
     if (lobes & kFacets) {
       const Vec3 m = normalize(o + i);
       sum += fresnel_conductor(dot(o, m), index_.eta, index_.k) * facets_.reflection(o, i, m);

@@ -25,7 +25,7 @@
 #include <memory>
 #include <optional>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/sampling.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
@@ -50,7 +50,7 @@ class SmoothDielectric final : public Bsdf {
   SmoothDielectric(const ShadingFrame& frame, const Refraction& refraction) : frame_(frame), refraction_(refraction) {}
 
   LobeSet lobes(float least_alpha) const override { return least_alpha <= 0 ? kBothLobes : 0; }
-  Rgb evaluate(const Vec3&, const Vec3&, Transport, LobeSet) const override { return {}; }
+  Spectrum evaluate(const Vec3&, const Vec3&, Transport, LobeSet) const override { return {}; }
   float pdf_w(const Vec3&, const Vec3&, Transport, LobeSet) const override { return 0; }
 
   std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const override {
@@ -66,7 +66,7 @@ class SmoothDielectric final : public Bsdf {
     if (!i || weight == 0) return std::nullopt;
     const auto leaving = frame_.leave(*i, side, transport, u.x);
     if (!leaving) return std::nullopt;
-    BsdfSample sample{leaving->wi, Rgb(weight / leaving->share), 0, true,
+    BsdfSample sample{leaving->wi, Spectrum(weight / leaving->share), 0, true,
                       reflected ? 1 : transport_scale(transport, eta)};
     refraction_.apply_to(sample, !reflected, side);
     return sample;
@@ -107,7 +107,7 @@ class RoughDielectric final : public Bsdf {
     return refraction_.disperses() && (side != frame_.side(wi) || refraction_.mirrors_by_wavelength(side));
   }
 
-  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+  Spectrum evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
     const LocalPair w(frame_, wo, wi, transport);
     if (!w.valid) return {};
     if (w.reflection()) return refraction_.hue_of_mirrored(w.side) * f_above(w.wo, w.wi, w.side, lobes);
@@ -147,14 +147,14 @@ class RoughDielectric final : public Bsdf {
     if (!refracted) {
       const float pdf = leaving->share * density_above(o, *i, side, lobes);
       if (!(pdf > 0)) return std::nullopt;
-      BsdfSample sample{leaving->wi, Rgb(f_above(o, *i, side, lobes) * i->z / pdf), pdf, false};
+      BsdfSample sample{leaving->wi, Spectrum(f_above(o, *i, side, lobes) * i->z / pdf), pdf, false};
       refraction_.apply_to(sample, false, side);
       return sample;
     }
     const float chance = leaving->share * by_facets * (1 - mirror), scale = transport_scale(transport, eta);
     const float weight = (1 - fresnel) / chance * facets_.visible_after(o, *i);
     const float pdf = chance * facets_.visible_density(o, m) * solid_angle_ratio(o, *i, m, eta);
-    BsdfSample sample{leaving->wi, Rgb(weight * scale), pdf, false, scale};
+    BsdfSample sample{leaving->wi, Spectrum(weight * scale), pdf, false, scale};
     refraction_.apply_to(sample, true, side);
     return sample;
   }
@@ -241,7 +241,7 @@ class DielectricMaterial final : public Material {
       : index_(read_refractive_index(reader)),
         roughness_(reader, context),
         makes_up_(read_energy_compensation(reader, context)),
-        absorption_(read_absorption(reader)) {}
+        absorption_(reader) {}
   /// Call this after the parameters have been checked.
   void make_tables() {
     if (!makes_up_ || roughness_.is_smooth()) return;
@@ -265,14 +265,14 @@ class DielectricMaterial final : public Material {
   float eta() const override { return index_.mean(); }
   float eta_at(const Wavelength& wavelength) const override { return index_.at(wavelength); }
   bool disperses() const override { return index_.disperses(); }
-  Rgb absorption() const override { return absorption_; }
+  Spectrum absorption(const Palette& palette) const override { return absorption_.per_length(palette); }
 
  private:
   RefractiveIndex index_;
   Roughness roughness_;
   bool makes_up_;
   std::optional<PerSurroundings<GlassTables>> tables_;
-  Rgb absorption_;
+  Absorption absorption_;
 };
 
 }  // namespace

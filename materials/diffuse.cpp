@@ -6,6 +6,7 @@
 //
 // [Lambert 1760, Photometria]
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/sampling.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
@@ -19,12 +20,12 @@ namespace {
 // lobe around ns would send nothing to directions that ns does not face.
 class Diffuse final : public Bsdf {
  public:
-  Diffuse(const SurfacePoint& point, const Rgb& f) : ng_(point.ng), ns_(point.ns), f_(f) {}
+  Diffuse(const SurfacePoint& point, const Spectrum& f) : ng_(point.ng), ns_(point.ns), f_(f) {}
 
   LobeSet lobes(float) const override { return 1; }
-  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+  Spectrum evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
     const bool one_side = dot(wo, ng_) * dot(wi, ng_) > 0;
-    return (lobes & 1) && one_side && faces(transport == Transport::radiance ? wi : wo) ? f_ : Rgb(0);
+    return (lobes & 1) && one_side && faces(transport == Transport::radiance ? wi : wo) ? f_ : Spectrum(0);
   }
   float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
     const float side = dot(wo, ng_);
@@ -40,7 +41,7 @@ class Diffuse final : public Bsdf {
     return BsdfSample{wi, f_ * (kPi * cosines), local.z / kPi, false};
   }
   float lobe_probability(const Vec3&, LobeSet lobes) const override { return lobes & 1 ? 1.f : 0.f; }
-  std::optional<Rgb> lambertian(LobeSet lobes) const override { return lobes & 1 ? f_ : Rgb(0); }
+  std::optional<Spectrum> lambertian(LobeSet lobes) const override { return lobes & 1 ? f_ : Spectrum(0); }
 
  private:
   /// Returns whether both normals have `w` on the same side.
@@ -48,7 +49,7 @@ class Diffuse final : public Bsdf {
   const Vec3& axis(Transport transport) const { return transport == Transport::radiance ? ns_ : ng_; }
 
   Vec3 ng_, ns_;
-  Rgb f_;
+  Spectrum f_;
 };
 
 class DiffuseMaterial final : public Material {
@@ -56,7 +57,7 @@ class DiffuseMaterial final : public Material {
   explicit DiffuseMaterial(TexturePtr<Rgb> reflectance)
       : reflectance_(std::move(reflectance)), is_linear_(reflectance_->averages()) {}
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
-    return slot.emplace<Diffuse>(point, clamped_albedo(reflectance_->evaluate(texture_point(point))) / kPi);
+    return slot.emplace<Diffuse>(point, clamped_albedo(reflectance_->carried(texture_point(point))) / kPi);
   }
   bool is_linear() const override { return is_linear_; }
 

@@ -12,6 +12,7 @@
 #include <typeinfo>
 
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/sampling.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
@@ -24,14 +25,14 @@ namespace {
 // As in Diffuse, light is weighted by its cosine to ns, and photon paths sample around ng.
 class DiffuseTransmission final : public Bsdf {
  public:
-  DiffuseTransmission(const SurfacePoint& point, const Rgb& reflectance, const Rgb& transmittance)
+  DiffuseTransmission(const SurfacePoint& point, const Spectrum& reflectance, const Spectrum& transmittance)
       : ng_(point.ng), ns_(point.ns), reflected_(reflectance / kPi), transmitted_(transmittance / kPi) {
     const float r = max_component(reflectance), t = max_component(transmittance);
     chance_ = r + t > 0 ? r / (r + t) : 1;
   }
 
   LobeSet lobes(float) const override { return 1; }
-  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+  Spectrum evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
     if (!(lobes & 1) || !faces(transport == Transport::radiance ? wi : wo)) return {};
     return dot(wo, ng_) * dot(wi, ng_) > 0 ? reflected_ : transmitted_;
   }
@@ -49,12 +50,12 @@ class DiffuseTransmission final : public Bsdf {
     if (local.z <= 0 || dot(wi, ng_) * side <= 0) return std::nullopt;
     const float cosines = axis(transport) == ns_ ? 1 : std::abs(dot(wi, ns_)) / local.z;
     const float chance = is_reflected ? chance_ : 1 - chance_;
-    const Rgb& f = is_reflected ? reflected_ : transmitted_;
+    const Spectrum& f = is_reflected ? reflected_ : transmitted_;
     return BsdfSample{wi, f * (kPi * cosines / chance), chance * local.z / kPi, false};
   }
   float lobe_probability(const Vec3&, LobeSet lobes) const override { return lobes & 1 ? 1.f : 0.f; }
   bool transmits(LobeSet lobes) const override { return (lobes & 1) && !is_black(transmitted_); }
-  std::optional<Rgb> ratio_to(const Bsdf& other, LobeSet) const override {
+  std::optional<Spectrum> ratio_to(const Bsdf& other, LobeSet) const override {
     if (typeid(other) != typeid(DiffuseTransmission)) return std::nullopt;
     const auto& o = static_cast<const DiffuseTransmission&>(other);
     const auto by_reflection = ratio(reflected_, o.reflected_), by_transmission = ratio(transmitted_, o.transmitted_);
@@ -67,8 +68,8 @@ class DiffuseTransmission final : public Bsdf {
   const Vec3& axis(Transport transport) const { return transport == Transport::radiance ? ns_ : ng_; }
 
   Vec3 ng_, ns_;
-  Rgb reflected_, transmitted_;  // f
-  float chance_;                 // the probability that reflection is sampled
+  Spectrum reflected_, transmitted_;  // f
+  float chance_;                      // the probability that reflection is sampled
 };
 
 class DiffuseTransmissionMaterial final : public Material {
@@ -81,10 +82,10 @@ class DiffuseTransmissionMaterial final : public Material {
                    scale_ * (most(*reflectance_) + most(*transmittance_)) <= 1) {}
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
     const TexturePoint at = texture_point(point);
-    const Rgb reflectance = clamped_albedo(reflectance_->evaluate(at) * scale_),
-              transmittance = clamped_albedo(transmittance_->evaluate(at) * scale_);
-    const Rgb both = reflectance + transmittance;
-    const Rgb share = {1 / std::max(1.f, both.r), 1 / std::max(1.f, both.g), 1 / std::max(1.f, both.b)};
+    const Spectrum reflectance = clamped_albedo(reflectance_->carried(at) * scale_),
+                   transmittance = clamped_albedo(transmittance_->carried(at) * scale_);
+    const Spectrum both = reflectance + transmittance;
+    const Spectrum share = map(both, [](float sum) { return 1 / std::max(1.f, sum); });
     return slot.emplace<DiffuseTransmission>(point, reflectance * share, transmittance * share);
   }
   bool is_linear() const override { return is_linear_; }

@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/fresnel.h"
@@ -87,17 +87,17 @@ class Azimuthal {
 /// The effect of a fibre's cross section on a ray that meets it at h (from -1 to 1 across it).
 struct FibrePassage {
   float gamma_o, gamma_t;  // the angles to the normal, outside and inside
-  ByFibrePath<Rgb> attenuation;
+  ByFibrePath<Spectrum> attenuation;
 
-  FibrePassage(float sin_o, float cos_o, float h, float eta, const Rgb& sigma_a) {
+  FibrePassage(float sin_o, float cos_o, float h, float eta, const Spectrum& sigma_a) {
     const float sin_t = sin_o / eta, bravais = std::sqrt(std::max(0.f, eta * eta - sin_o * sin_o)) / cos_o;
     // An index below 1 may reflect all: then there is no way inside.
     const float sin_gamma_t = bravais > 0 ? std::clamp(h / bravais, -1.f, 1.f) : 0, cos_t = cos_of(sin_t);
     gamma_o = rounded::asin(std::clamp(h, -1.f, 1.f)), gamma_t = rounded::asin(sin_gamma_t);
     const float way = cos_t > 0 ? 2 * cos_of(sin_gamma_t) / cos_t : 0;
-    const Rgb passed{std::exp(-sigma_a.r * way), std::exp(-sigma_a.g * way), std::exp(-sigma_a.b * way)};
+    const Spectrum passed = map(sigma_a, [way](float sigma) { return std::exp(-sigma * way); });
     const float mirrored = fresnel_dielectric(cos_o * cos_of(h), eta);
-    attenuation[0] = Rgb(mirrored);
+    attenuation[0] = Spectrum(mirrored);
     attenuation[1] = (1 - mirrored) * (1 - mirrored) * passed;
     attenuation[2] = attenuation[1] * passed * mirrored;
     for (int c = 0; c < 3; ++c)  // the remaining geometric series

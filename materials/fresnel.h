@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/vec.h"
 
 namespace dspm {
@@ -36,18 +36,20 @@ inline float fresnel_conductor(float cos_i, float eta, float k) {
   const float reflected = 0.5f * (perpendicular + parallel);
   return reflected < 0 ? 0 : reflected;  // by rounding, if nothing is reflected
 }
-inline Rgb fresnel_conductor(float cos_i, const Rgb& eta, const Rgb& k) {
-  return {fresnel_conductor(cos_i, eta.r, k.r), fresnel_conductor(cos_i, eta.g, k.g),
-          fresnel_conductor(cos_i, eta.b, k.b)};
+inline Spectrum fresnel_conductor(float cos_i, const Spectrum& eta, const Spectrum& k) {
+  return {fresnel_conductor(cos_i, eta[0], k[0]), fresnel_conductor(cos_i, eta[1], k[1]),
+          fresnel_conductor(cos_i, eta[2], k[2])};
 }
 
 /// Close to the reflectance of diffuse light: taken at the cosine at which Schlick's term is its mean.
-inline Rgb mean_fresnel_conductor(const Rgb& eta, const Rgb& k) { return fresnel_conductor(0.456f, eta, k); }
+inline Spectrum mean_fresnel_conductor(const Spectrum& eta, const Spectrum& k) {
+  return fresnel_conductor(0.456f, eta, k);
+}
 
 /// Close to the reflectance of a conductor that mirrors `straight` straight on. [Schlick 1994]
-inline Rgb fresnel_schlick(const Rgb& straight, float cos) {
+inline Spectrum fresnel_schlick(const Spectrum& straight, float cos) {
   const float c = 1 - cos, c2 = c * c;
-  return straight + (Rgb(1) - straight) * (c2 * c2 * c);
+  return straight + (Spectrum(1) - straight) * (c2 * c2 * c);
 }
 
 inline Vec3 reflect(const Vec3& w, const Vec3& n) { return n * (2 * dot(w, n)) - w; }

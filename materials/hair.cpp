@@ -28,6 +28,7 @@
 #include <cmath>
 
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
@@ -39,7 +40,7 @@ namespace dspm {
 namespace {
 
 struct FibreLook {
-  Rgb sigma_a;
+  Spectrum sigma_a;
   float h, eta, v, s;  // v, s: variance along, scale around
   float sin_tilt, cos_tilt;
 };
@@ -54,7 +55,7 @@ class Hair final : public Bsdf {
   bool transmits(LobeSet lobes) const override { return (lobes & 1) != 0; }
   float lobe_probability(const Vec3&, LobeSet lobes) const override { return lobes & 1 ? 1.f : 0.f; }
 
-  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+  Spectrum evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
     if (!(lobes & 1) || !arrives(wo, wi, transport)) return {};
     if (transport == Transport::radiance) return scattered(Outgoing(*this, wo, look_.h), wi).flux / cosine(wi);
     return scattered(Outgoing(*this, wi, look_.h), wo).flux * flux_factor(wo, wi);
@@ -72,9 +73,9 @@ class Hair final : public Bsdf {
     if (!arrives(wo, wi, transport)) return std::nullopt;
     const Scattered radiance = scattered(out, wi);
     if (!(radiance.density > 0)) return std::nullopt;
-    const Rgb weight = transport == Transport::radiance
-                           ? radiance.flux
-                           : scattered(Outgoing(*this, wi, look_.h), wo).flux * (flux_factor(wo, wi) * cosine(wi));
+    const Spectrum weight = transport == Transport::radiance
+                                ? radiance.flux
+                                : scattered(Outgoing(*this, wi, look_.h), wo).flux * (flux_factor(wo, wi) * cosine(wi));
     return BsdfSample{wi, weight / radiance.density, radiance.density, false};
   }
 
@@ -99,8 +100,8 @@ class Hair final : public Bsdf {
         : w(hair, direction), passage(w.sin, w.cos, h, hair.look_.eta, hair.look_.sigma_a) {
       float sum = 0;
       for (std::size_t p = 0; p <= kFibrePaths; ++p) {
-        const Rgb& a = passage.attenuation[p];
-        sum += chance[p] = (a.r + a.g + a.b) / 3;
+        const Spectrum& a = passage.attenuation[p];
+        sum += chance[p] = mean(a);
       }
       for (float& c : chance) c /= sum;
       const float s = hair.look_.sin_tilt, c = hair.look_.cos_tilt;
@@ -112,7 +113,7 @@ class Hair final : public Bsdf {
   };
 
   struct Scattered {
-    Rgb flux;       // MAN
+    Spectrum flux;  // MAN
     float density;  // by solid angle, of sampling
   };
 
@@ -170,11 +171,11 @@ class Hair final : public Bsdf {
 constexpr Rgb kEumelanin{0.419f, 0.697f, 1.37f}, kPheomelanin{0.187f, 0.4f, 1.05f};
 
 /// Returns the absorption that makes dense hair of that colour, as Chiang et al. fitted it.
-Rgb absorption_of(const Rgb& colour, float beta_n) {
+Spectrum absorption_of(const Spectrum& colour, float beta_n) {
   constexpr float kDarkest = 1e-5f;
   const float fit =
       5.969f + beta_n * (-0.215f + beta_n * (2.532f + beta_n * (-10.73f + beta_n * (5.574f + beta_n * 0.245f))));
-  Rgb sigma;
+  Spectrum sigma;
   for (int c = 0; c < 3; ++c) {
     const float root = std::log(std::clamp(colour[c], kDarkest, 1.f)) / fit;
     sigma[c] = root * root;
@@ -207,14 +208,11 @@ class HairMaterial final : public Material {
  private:
   static constexpr float kSmoothest = 0.01f, kLeastEta = 1;
 
-  Rgb sigma_a(const TexturePoint& at, float beta_n) const {
-    if (sigma_a_) {
-      const Rgb sigma = sigma_a_->evaluate(at);
-      return {std::max(sigma.r, 0.f), std::max(sigma.g, 0.f), std::max(sigma.b, 0.f)};
-    }
-    if (reflectance_) return absorption_of(reflectance_->evaluate(at), beta_n);
-    return kEumelanin * std::max(0.f, eumelanin_->evaluate(at)) +
-           kPheomelanin * std::max(0.f, pheomelanin_->evaluate(at));
+  Spectrum sigma_a(const TexturePoint& at, float beta_n) const {
+    if (sigma_a_) return map(sigma_a_->carried(at), [](float sigma) { return std::max(sigma, 0.f); });
+    if (reflectance_) return absorption_of(reflectance_->carried(at), beta_n);
+    return at.palette->carried(kEumelanin * std::max(0.f, eumelanin_->evaluate(at)) +
+                               kPheomelanin * std::max(0.f, pheomelanin_->evaluate(at)));
   }
 
   TexturePtr<Rgb> sigma_a_, reflectance_;  // the first that is not null counts, else the pigments

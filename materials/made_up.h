@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/albedo_table.h"
 #include "dspm/materials/brushed_albedo.h"
@@ -53,8 +53,8 @@ inline float made_up(float lost_o, float lost_i, float mean_lost) {
 
 /// Returns what leaves metal facets after two or more reflections, as a factor to white metal's share. [Kulla and Conty
 /// 2017; Hill 2018]
-inline Rgb after_more_reflections(const Rgb& mean_fresnel, float mean_albedo) {
-  Rgb left;
+inline Spectrum after_more_reflections(const Spectrum& mean_fresnel, float mean_albedo) {
+  Spectrum left;
   for (int c = 0; c < 3; ++c)
     left[c] = mean_fresnel[c] * mean_fresnel[c] * mean_albedo / (1 - mean_fresnel[c] * (1 - mean_albedo));
   return left;

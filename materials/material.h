@@ -4,7 +4,7 @@
 #include <memory>
 #include <span>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/params/params.h"
 #include "dspm/base/params/registry.h"
 #include "dspm/materials/bsdf.h"
@@ -23,8 +23,8 @@ class Material {
   virtual const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const = 0;
   /// Returns whether light enters the body: its mesh should then be closed and its normals should point outward.
   virtual bool bounds_a_body() const { return false; }
-  /// The body's absorption coefficient: after a distance d in the world, exp(-absorption d) of the light is left.
-  virtual Rgb absorption() const { return Rgb(0); }
+  /// The body's absorption coefficient, as paths carry it: after a distance d in the world, exp(-absorption d) of the light is left.
+  virtual Spectrum absorption(const Palette&) const { return Spectrum(0); }
   /// The body's index of refraction, relative to the medium for which SurfacePoint::outside_eta is 1.
   virtual float eta() const { return 1; }
   /// The same for light of that wavelength.

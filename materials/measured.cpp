@@ -16,7 +16,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/base/system/read_file.h"
@@ -30,14 +30,15 @@ namespace {
 
 class Measured final : public Bsdf {
  public:
-  Measured(const ShadingFrame& frame, const MeasuredFile& file) : frame_(frame), file_(&file) {}
+  Measured(const SurfacePoint& point, const MeasuredFile& file)
+      : frame_(point), file_(&file), palette_(point.palette) {}
 
   LobeSet lobes(float least_alpha) const override { return file_->alpha() >= least_alpha ? 1 : 0; }
 
-  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+  Spectrum evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
     const LocalPair w(frame_, wo, wi, transport);
     if (!(lobes & 1) || !w.reflection()) return {};
-    return transport == Transport::radiance ? file_->f(w.wo, w.wi) : file_->f(w.wi, w.wo);
+    return f(w.wo, w.wi, transport);
   }
 
   float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
@@ -55,22 +56,26 @@ class Measured final : public Bsdf {
     const auto leaving = frame_.leave(i, side, transport, u.x);
     const float pdf = leaving ? leaving->share * file_->density(o, i) : 0;
     if (!(pdf > 0)) return std::nullopt;
-    const Rgb f = transport == Transport::radiance ? file_->f(o, i) : file_->f(i, o);
-    return BsdfSample{leaving->wi, f * (i.z / pdf), pdf, false};
+    return BsdfSample{leaving->wi, f(o, i, transport) * (i.z / pdf), pdf, false};
   }
 
   float lobe_probability(const Vec3&, LobeSet lobes) const override { return lobes & 1 ? 1.f : 0.f; }
 
  private:
+  Spectrum f(const Vec3& o, const Vec3& i, Transport transport) const {
+    return palette_->carried(transport == Transport::radiance ? file_->f(o, i) : file_->f(i, o));
+  }
+
   ShadingFrame frame_;
   const MeasuredFile* file_;
+  const Palette* palette_;
 };
 
 class MeasuredMaterial final : public Material {
  public:
   explicit MeasuredMaterial(MeasuredFile file) : file_(std::move(file)) {}
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
-    return slot.emplace<Measured>(ShadingFrame(point), file_);
+    return slot.emplace<Measured>(point, file_);
   }
 
  private:

@@ -103,7 +103,8 @@ std::unique_ptr<Material> make_mix(ParamReader& reader, const MaterialContext& c
   }
   Parts parts = find_parts(names, context);
   if (parts[0] == nullptr || parts[1] == nullptr) return nullptr;
-  if (parts[0]->bounds_a_body() && parts[1]->bounds_a_body() && parts[0]->absorption() != parts[1]->absorption())
+  if (parts[0]->bounds_a_body() && parts[1]->bounds_a_body() &&
+      parts[0]->absorption(Palette::rgb()) != parts[1]->absorption(Palette::rgb()))
     reader.error(
         "materials",
         fmt::format("\"{}\" and \"{}\" absorb light differently, but a body has one inside", names[0], names[1]),

@@ -4,7 +4,7 @@
 #include <array>
 #include <memory>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/materials/material.h"
 #include "dspm/textures/texture.h"
 
@@ -20,7 +20,7 @@ class MixMaterial final : public Material {
 
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override { return at(point).bsdf(point, slot); }
   bool bounds_a_body() const override { return parts_[0]->bounds_a_body() || parts_[1]->bounds_a_body(); }
-  Rgb absorption() const override { return body().absorption(); }
+  Spectrum absorption(const Palette& palette) const override { return body().absorption(palette); }
   float eta() const override { return body().eta(); }
   float eta_at(const Wavelength& wavelength) const override { return body().eta_at(wavelength); }
   bool disperses() const override { return parts_[0]->disperses() || parts_[1]->disperses(); }

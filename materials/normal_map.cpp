@@ -1,5 +1,6 @@
 #include "dspm/materials/normal_map.h"
 
+#include "dspm/base/colour/rgb.h"
 #include "dspm/materials/parameters.h"
 
 namespace dspm {

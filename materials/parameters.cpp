@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/vec.h"
 
 namespace dspm {
@@ -73,9 +74,9 @@ MetalLook::MetalLook(ParamReader& reader, const MaterialContext& context, const 
 
 MetalIndex MetalLook::index(const SurfacePoint& point) const {
   const TexturePoint place = texture_point(point);
-  const Rgb value = eta_or_reflectance_->evaluate(place);
-  if (!by_reflectance_) return {value, k_->evaluate(place)};
-  MetalIndex index{Rgb(1), Rgb(0)};
+  const Spectrum value = eta_or_reflectance_->carried(place);
+  if (!by_reflectance_) return {value, k_->carried(place)};
+  MetalIndex index{Spectrum(1), Spectrum(0)};
   for (int c = 0; c < 3; ++c) {
     // As in pbrt: never quite 1, because k would be infinite.
     const float r = std::clamp(value[c], 0.f, 0.9999f);
@@ -97,19 +98,21 @@ EmissionLook read_emission_look(ParamReader& reader) {
   return look;
 }
 
-Rgb read_absorption(ParamReader& reader) {
-  constexpr float kDarkest = 1e-30f;
-  const Rgb colour = clamped_albedo(reader.rgb("attenuationcolor", Rgb(1), SpectrumRole::albedo,
-                                               "of white light after attenuationdistance in the body"));
+Absorption::Absorption(ParamReader& reader)
+    : colour_(reader.rgb("attenuationcolor", Rgb(1), SpectrumRole::albedo,
+                         "of white light after attenuationdistance in the body")) {
   const float distance = reader.number("attenuationdistance", 1, "world units", "after which it has attenuationcolor");
-  if (!(distance > 0)) {
+  if (distance > 0)
+    distance_ = distance;
+  else
     reader.error("attenuationdistance",
                  "parameter \"attenuationdistance\" of " + reader.subject() + " must be above 0");
-    return {};
-  }
-  Rgb absorption;
-  for (int c = 0; c < 3; ++c) absorption[c] = -std::log(std::max(colour[c], kDarkest)) / distance;
-  return absorption;
+  in_rgb_ = of(Palette::rgb().carried(colour_));
+}
+
+Spectrum Absorption::of(const Spectrum& left) const {
+  constexpr float kDarkest = 1e-30f;
+  return map(clamped_albedo(left), [&](float c) { return -std::log(std::max(c, kDarkest)) / distance_; });
 }
 
 std::optional<int> read_priority(ParamReader& reader) {

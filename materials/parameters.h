@@ -6,6 +6,7 @@
 #include <string>
 
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/materials/material.h"
@@ -16,12 +17,12 @@ namespace dspm {
 
 /// The place at which textures are looked up.
 inline TexturePoint texture_point(const SurfacePoint& point) {
-  return {point.p, point.uv, point.ng, point.dpdu, point.dpdv, point.dpdx, point.dpdy, point.vertices};
+  return {point.p, point.uv, point.ng, point.dpdu, point.dpdv, point.dpdx, point.dpdy, point.vertices, point.palette};
 }
 
 /// Clamps to what a surface can reflect, because a texture may exceed it.
-inline Rgb clamped_albedo(const Rgb& c) {
-  return {std::clamp(c.r, 0.f, 1.f), std::clamp(c.g, 0.f, 1.f), std::clamp(c.b, 0.f, 1.f)};
+inline Spectrum clamped_albedo(const Spectrum& c) {
+  return map(c, [](float share) { return std::clamp(share, 0.f, 1.f); });
 }
 
 /// Reads "roughness", "uroughness", "vroughness" and "remaproughness" as GGX alpha along the tangent and across it.
@@ -52,7 +53,7 @@ float read_eta(ParamReader& reader, float fallback = 1.5f, const std::string& na
 
 /// A metal's complex index of refraction, eta + ik.
 struct MetalIndex {
-  Rgb eta, k;
+  Spectrum eta, k;
 };
 
 /// Reads "eta" and "k", both after `prefix`, or "reflectance" at normal incidence.
@@ -80,9 +81,26 @@ struct EmissionLook {
 };
 EmissionLook read_emission_look(ParamReader& reader);
 
-/// Reads "attenuationcolor" and "attenuationdistance", as in glTF's KHR_materials_volume, and returns
-/// Material::absorption(): white light has this colour after that distance through the body, in world units.
-Rgb read_absorption(ParamReader& reader);
+/// What a body absorbs: white light has a colour after a distance through it, in world units.
+class Absorption {
+ public:
+  Absorption() = default;
+  /// Reads "attenuationcolor" and "attenuationdistance", as in glTF's KHR_materials_volume.
+  explicit Absorption(ParamReader& reader);
+
+  bool is_none() const { return is_black(in_rgb_); }
+  /// Material::absorption().
+  Spectrum per_length(const Palette& palette) const {
+    return palette.is_rgb() ? in_rgb_ : of(palette.carried(colour_));
+  }
+
+ private:
+  Spectrum of(const Spectrum& left) const;
+
+  Rgb colour_{1};
+  float distance_ = 1;
+  Spectrum in_rgb_;
+};
 
 /// Reads "priority" of any material, for any plugin, as Material::priority(), if it is given. Call it before the
 /// material's own factory reads the rest.

@@ -9,13 +9,14 @@
 #include <string_view>
 
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 
 namespace dspm {
 namespace {
 
 constexpr float kYellowNm = 587.56f, kBlueNm = 486.13f, kRedNm = 656.27f;  // d, F and C: lines of helium and hydrogen
 
-std::vector<float> by_nm(const Spectrum& spectrum) {
+std::vector<float> by_nm(const SpectralCurve& spectrum) {
   std::vector<float> values;
   for (int nm = kFirstNm; nm <= kLastNm; ++nm)
     values.push_back(spectrum.at(std::clamp(static_cast<float>(nm), spectrum.nm.front(), spectrum.nm.back())));
@@ -32,13 +33,13 @@ std::vector<std::string> glasses() {
   return names;
 }
 
-bool is_constant(const Spectrum& spectrum) {
+bool is_constant(const SpectralCurve& spectrum) {
   return std::ranges::all_of(spectrum.values, [&](float value) { return value == spectrum.values.front(); });
 }
 
 }  // namespace
 
-RefractiveIndex::RefractiveIndex(const Spectrum& spectrum, float mean) : mean_(mean) {
+RefractiveIndex::RefractiveIndex(const SpectralCurve& spectrum, float mean) : mean_(mean) {
   if (!is_constant(spectrum)) by_nm_ = std::make_shared<const std::vector<float>>(by_nm(spectrum));
 }
 
@@ -46,7 +47,7 @@ RefractiveIndex RefractiveIndex::of_abbe(float eta, float abbe) {
   if (!std::isfinite(abbe) || eta == 1) return RefractiveIndex(eta);
   const auto inverse_square = [](float nm) { return 1 / (nm * nm); };
   const float b = (eta - 1) / (abbe * (inverse_square(kBlueNm) - inverse_square(kRedNm)));
-  Spectrum spectrum;
+  SpectralCurve spectrum;
   for (int nm = kFirstNm; nm <= kLastNm; ++nm) {
     const float at = static_cast<float>(nm);
     spectrum.nm.push_back(at);
@@ -76,7 +77,7 @@ RefractiveIndex read_refractive_index(ParamReader& reader) {
   if (!glass.empty()) {
     const std::vector<std::string> known = glasses();
     if (std::ranges::find(known, glass) != known.end()) {
-      const Spectrum named = *named_spectrum("glass-" + glass);
+      const SpectralCurve named = *named_spectrum("glass-" + glass);
       return {named, mean(to_rgb(named, SpectrumRole::unbounded))};
     }
     reader.error("glass", fmt::format("unknown glass \"{}\"", glass), did_you_mean(glass, known));

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdlib>
 #include <memory>
 #include <vector>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectral_curve.h"
 #include "dspm/base/colour/spectrum.h"
 #include "dspm/base/colour/wavelength.h"
 #include "dspm/base/params/params.h"
@@ -19,7 +20,7 @@ class RefractiveIndex {
   explicit RefractiveIndex(float constant) : mean_(constant) {}
   /// Takes the index between 360 and 830 nm from the spectrum, beyond whose ends it is constant. `mean` is used wherever
   /// light is not refracted.
-  RefractiveIndex(const Spectrum& spectrum, float mean);
+  RefractiveIndex(const SpectralCurve& spectrum, float mean);
   /// Returns the index that is `eta` at 587.6 nm and has this Abbe number, (eta - 1) / (eta_F - eta_C) at 486.1 and 656.3
   /// nm, by Cauchy's equation a + b / nm^2. Infinite: it is constant.
   static RefractiveIndex of_abbe(float eta, float abbe);
@@ -27,7 +28,7 @@ class RefractiveIndex {
   float mean() const { return mean_; }
   bool disperses() const { return by_nm_ != nullptr; }
   float at(const Wavelength& w) const {
-    return w.nm == 0 || !disperses() ? mean_ : (*by_nm_)[static_cast<std::size_t>(w.nm - kFirstNm)];
+    return w.nm == 0 || !disperses() ? mean_ : (*by_nm_)[static_cast<std::size_t>(std::abs(w.nm) - kFirstNm)];
   }
   float lowest() const;
 
@@ -61,8 +62,8 @@ struct Refraction {
   }
   float eta_from(float side) const { return side > 0 ? eta : 1 / eta; }
   /// The hue of what is mirrored on that side, and of what passes.
-  Rgb hue_of_mirrored(float side) const { return mirrors_by_wavelength(side) ? hue_of_refracted() : Rgb(1); }
-  Rgb hue_of_refracted() const { return wavelength.hue_on_refraction(); }
+  Spectrum hue_of_mirrored(float side) const { return mirrors_by_wavelength(side) ? hue_of_refracted() : Spectrum(1); }
+  Spectrum hue_of_refracted() const { return wavelength.hue_on_refraction(); }
   /// Gives a sample that leaves on the other side, or is mirrored on that `side`, its hue.
   void apply_to(BsdfSample& sample, bool refracted, float side) const {
     if (!disperses()) return;

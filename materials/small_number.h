@@ -2,10 +2,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/vec.h"
 
 namespace dspm {
@@ -25,13 +26,14 @@ class SmallNumber {
   std::uint16_t root_;
 };
 
-struct SmallRgb {
-  SmallNumber r, g, b;
-  explicit SmallRgb(const Rgb& c) : r(c.r), g(c.g), b(c.b) {}
-  operator Rgb() const { return {r, g, b}; }
-  friend bool operator==(const SmallRgb& one, const SmallRgb& other) {
-    return one.r == other.r && one.g == other.g && one.b == other.b;
-  }
+class SmallSpectrum {
+ public:
+  explicit SmallSpectrum(const Spectrum& s) : v_{SmallNumber(s[0]), SmallNumber(s[1]), SmallNumber(s[2])} {}
+  operator Spectrum() const { return {v_[0], v_[1], v_[2]}; }
+  friend bool operator==(const SmallSpectrum&, const SmallSpectrum&) = default;
+
+ private:
+  std::array<SmallNumber, 3> v_;
 };
 
 /// A unit vector, to 5e-5, on an octahedron whose lower half is folded out; those of the axes are exact.

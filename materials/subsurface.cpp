@@ -32,6 +32,7 @@
 #include <cmath>
 
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/sampling.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
@@ -61,7 +62,8 @@ struct Boundary {
 
 class Subsurface final : public Bsdf {
  public:
-  Subsurface(const ShadingFrame& frame, Vec2 alpha, const Boundary& boundary, const Rgb& sigma_t, const Rgb& albedo)
+  Subsurface(const ShadingFrame& frame, Vec2 alpha, const Boundary& boundary, const Spectrum& sigma_t,
+             const Spectrum& albedo)
       : frame_(frame), facets_(alpha), boundary_(&boundary), sigma_t_(sigma_t), albedo_(albedo) {}
 
   LobeSet lobes(float least_alpha) const override {
@@ -70,9 +72,9 @@ class Subsurface final : public Bsdf {
   bool transmits(LobeSet lobes) const override { return (lobes & kBody) != 0; }
   bool enters(const Vec3& w) const override { return frame_.side(w) < 0; }
 
-  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+  Spectrum evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
     const LocalPair w(frame_, wo, wi, transport);
-    return w.valid ? Rgb(f(w, transport, lobes)) : Rgb(0);
+    return w.valid ? Spectrum(f(w, transport, lobes)) : Spectrum(0);
   }
 
   float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
@@ -117,7 +119,7 @@ class Subsurface final : public Bsdf {
     }
     const auto leaving = frame_.leave({-o.x, -o.y, o.z}, 1, transport, u.x);
     if (!leaving) return std::nullopt;
-    return BsdfSample{leaving->wi, Rgb((1 - boundary_->crosses(o.z)) / (chance * leaving->share)), 0, true};
+    return BsdfSample{leaving->wi, Spectrum((1 - boundary_->crosses(o.z)) / (chance * leaving->share)), 0, true};
   }
 
   /// Returns a sample with a density, in the direction i.
@@ -128,7 +130,7 @@ class Subsurface final : public Bsdf {
     const LocalPair w(frame_, wo, leaving->wi, transport);
     if (!w.valid) return std::nullopt;
     const float pdf = density(w, lobes);
-    BsdfSample sample{leaving->wi, Rgb(f(w, transport, lobes) * std::abs(w.wi.z) / pdf), pdf, false};
+    BsdfSample sample{leaving->wi, Spectrum(f(w, transport, lobes) * std::abs(w.wi.z) / pdf), pdf, false};
     if (w.wi.z > 0) return sample;
     const bool inside = side > 0;
     if (transport == Transport::radiance) sample.eta_scale = inside ? 1 / boundary_->let_in : boundary_->let_in;
@@ -165,7 +167,7 @@ class Subsurface final : public Bsdf {
   ShadingFrame frame_;
   Ggx facets_;
   const Boundary* boundary_;  // the material's
-  Rgb sigma_t_, albedo_;
+  Spectrum sigma_t_, albedo_;
 };
 
 float albedo_of_reflectance(float reflectance, const Boundary& boundary) {
@@ -192,9 +194,9 @@ class SubsurfaceMaterial final : public Material {
 
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
     const TexturePoint at = texture_point(point);
-    const Rgb a = textures_.a->evaluate(at), s = textures_.s->evaluate(at);
+    const Spectrum a = textures_.a->carried(at), s = textures_.s->carried(at);
     const Boundary& boundary = boundary_.of(point.outside_eta);
-    Rgb sigma_t, albedo;
+    Spectrum sigma_t, albedo;
     for (int c = 0; c < 3; ++c) {
       const float first = std::max(0.f, a[c]), second = std::max(0.f, scale_ * s[c]);
       if (textures_.by_reflectance) {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "dspm/base/colour/interference.h"
 #include "dspm/materials/fresnel.h"
 
 namespace dspm {
@@ -19,31 +18,37 @@ float smooth_step(float x) {
 
 }  // namespace
 
-ThinFilm::ThinFilm(float eta, float nm) : eta_(1 + (eta - 1) * smooth_step(nm / 30)), nm_(nm) {}
+ThinFilm::ThinFilm(float eta, float nm, const Palette& palette)
+    : eta_(1 + (eta - 1) * smooth_step(nm / 30)), nm_(nm), palette_(&palette) {}
 
 float ThinFilm::cos_inside(float cos) const { return std::sqrt(std::max(0.f, 1 - (1 - cos * cos) / (eta_ * eta_))); }
 
-Rgb ThinFilm::mirrored(const Rgb& inner, const Rgb& amplitude, float cos) const {
+Spectrum ThinFilm::mirrored(const Spectrum& inner, const Spectrum& amplitude, float cos) const {
   const float outer = fresnel_dielectric(cos, eta_);
-  std::array<Rgb, kReflections> colour;
+  const float longer = 2 * eta_ * nm_ * cos_inside(cos);
+  std::array<Spectrum, kReflections> colour;
   for (int m = 0; m < kReflections; ++m)
-    colour[static_cast<std::size_t>(m)] = interference(static_cast<float>(m + 1) * 2 * eta_ * nm_ * cos_inside(cos));
-  Rgb result;
+    colour[static_cast<std::size_t>(m)] = palette_->interference(static_cast<float>(m + 1) * longer);
+  Spectrum result;
   for (int c = 0; c < 3; ++c) {
     const float x2 = outer * inner[c], x = std::copysign(std::sqrt(x2), amplitude[c]);
     if (!(x2 < 1)) {
       result[c] = 1;
       continue;
     }
+    if (!palette_->is_rgb()) {
+      result[c] = std::max(0.f, 1 - (1 - outer) * (1 - inner[c]) / (1 + 2 * x * colour[0][c] + x2));
+      continue;
+    }
     float sum = 1, power = 1;
-    for (const Rgb& of_m : colour) power *= -x, sum += 2 * power * of_m[c];
+    for (const Spectrum& of_m : colour) power *= -x, sum += 2 * power * of_m[c];
     result[c] = std::clamp(1 - (1 - outer) * (1 - inner[c]) / (1 - x2) * sum, 0.f, 1.f);
   }
   return result;
 }
 
-Rgb ThinFilm::over_metal(const Rgb& straight, float cos) const {
-  Rgb amplitude;
+Spectrum ThinFilm::over_metal(const Spectrum& straight, float cos) const {
+  Spectrum amplitude;
   for (int c = 0; c < 3; ++c) {
     // Of the base in air it is s = (n - 1) / (n + 1), under the film (n - eta) / (n + eta).
     const float s = std::sqrt(std::clamp(straight[c], 0.f, 1.f)), n = 1 + s, film = eta_ * (1 - s);
@@ -52,8 +57,8 @@ Rgb ThinFilm::over_metal(const Rgb& straight, float cos) const {
   return mirrored(fresnel_schlick(amplitude * amplitude, cos_inside(cos)), amplitude, cos);
 }
 
-Rgb ThinFilm::over_dielectric(float eta_base, float cos) const {
-  return mirrored(Rgb(fresnel_dielectric(cos_inside(cos), eta_base / eta_)), Rgb(eta_base - eta_), cos);
+Spectrum ThinFilm::over_dielectric(float eta_base, float cos) const {
+  return mirrored(Spectrum(fresnel_dielectric(cos_inside(cos), eta_base / eta_)), Spectrum(eta_base - eta_), cos);
 }
 
 // Airy's sum is greatest or least where the faces' reflections are in step or out of step, and a colour of interference

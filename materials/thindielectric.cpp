@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/materials/fresnel.h"
@@ -25,10 +26,10 @@ namespace {
 
 class ThinDielectric final : public Bsdf {
  public:
-  ThinDielectric(const ShadingFrame& frame, float eta, const Rgb& tint) : frame_(frame), eta_(eta), tint_(tint) {}
+  ThinDielectric(const ShadingFrame& frame, float eta, const Spectrum& tint) : frame_(frame), eta_(eta), tint_(tint) {}
 
   LobeSet lobes(float least_alpha) const override { return least_alpha <= 0 ? kBothLobes : 0; }
-  Rgb evaluate(const Vec3&, const Vec3&, Transport, LobeSet) const override { return {}; }
+  Spectrum evaluate(const Vec3&, const Vec3&, Transport, LobeSet) const override { return {}; }
   float pdf_w(const Vec3&, const Vec3&, Transport, LobeSet) const override { return 0; }
 
   std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const override {
@@ -37,7 +38,7 @@ class ThinDielectric final : public Bsdf {
     if (!(lobes & kBothLobes) || cos_o == 0) return std::nullopt;
     const float chance = chance_of_reflection(share_of_reflection(cos_o), lobes);
     if (u.z >= chance) {  // straight on, whatever the normals say
-      const Rgb weight = passed(cos_o) / (1 - chance);
+      const Spectrum weight = passed(cos_o) / (1 - chance);
       return is_black(weight) ? std::nullopt : std::optional(BsdfSample{-wo, weight, 0, true});
     }
     const auto o = frame_.arrive(wo, side, transport);
@@ -57,25 +58,25 @@ class ThinDielectric final : public Bsdf {
     const float r = fresnel_dielectric(cos_o, eta_);
     return r < 1 ? r + (1 - r) * (1 - r) * r / (1 - r * r) : 1;
   }
-  Rgb mirrored(float cos_o) const {
+  Spectrum mirrored(float cos_o) const {
     const float r = fresnel_dielectric(cos_o, eta_);
     return for_each_colour(cos_o, r, [&](float t) { return r + (1 - r) * (1 - r) * t * t * r / (1 - t * t * r * r); });
   }
-  Rgb passed(float cos_o) const {
+  Spectrum passed(float cos_o) const {
     const float r = fresnel_dielectric(cos_o, eta_);
     return for_each_colour(cos_o, r, [&](float t) { return (1 - r) * (1 - r) * t / (1 - t * t * r * r); });
   }
   template <class Fn>
-  Rgb for_each_colour(float cos_o, float r, Fn&& fn) const {
-    if (r >= 1) return Rgb(fn(0.f));
+  Spectrum for_each_colour(float cos_o, float r, Fn&& fn) const {
+    if (r >= 1) return Spectrum(fn(0.f));
     const float cos_inside = std::sqrt(1 - (1 - cos_o * cos_o) / (eta_ * eta_));
     const auto crossed = [&](float tint) { return tint == 1 ? 1 : std::pow(tint, 1 / cos_inside); };
-    return {fn(crossed(tint_.r)), fn(crossed(tint_.g)), fn(crossed(tint_.b))};
+    return map(tint_, [&](float tint) { return fn(crossed(tint)); });
   }
 
   ShadingFrame frame_;
   float eta_;
-  Rgb tint_;
+  Spectrum tint_;
 };
 
 class ThinDielectricMaterial final : public Material {
@@ -83,7 +84,7 @@ class ThinDielectricMaterial final : public Material {
   ThinDielectricMaterial(float eta, TexturePtr<Rgb> tint) : eta_(eta), tint_(std::move(tint)) {}
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
     return slot.emplace<ThinDielectric>(ShadingFrame(point), eta_,
-                                        clamped_albedo(tint_->evaluate(texture_point(point))));
+                                        clamped_albedo(tint_->carried(texture_point(point))));
   }
 
  private:

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "dspm/base/colour/spectrum.h"
+#include "dspm/base/colour/spectral_curve.h"
 
 namespace dspm {
 namespace {
@@ -19,7 +19,7 @@ float kelvin_of(int step) {
 /// pbrt's film takes the sum of a spectrum's values times the observer's, and a light's radiance has a luminance of 1: what
 /// glows has that of the unscaled sum.
 Rgb colour_of(float kelvin) {
-  const Spectrum spectrum = blackbody(kelvin);
+  const SpectralCurve spectrum = blackbody(kelvin);
   return to_rgb(spectrum, SpectrumRole::illuminant) * static_cast<float>(to_xyz(spectrum)[1]);
 }
 

@@ -48,8 +48,8 @@ Majorants::Majorants(std::span<const Medium* const> states) {
       }
 }
 
-TentativeCollisions::TentativeCollisions(const Majorants& majorants, const Ray& ray, int colour)
-    : majorants_(majorants), ray_(ray), colour_(colour) {
+TentativeCollisions::TentativeCollisions(const Majorants& majorants, const Ray& ray, int colour, const Palette& palette)
+    : majorants_(majorants), ray_(ray), colour_(colour), palette_(palette) {
   if (majorants.everywhere_) return;
   for (int axis = 0; axis < 3; ++axis) {
     const float o = ray.origin[axis], d = ray.direction[axis];
@@ -66,7 +66,7 @@ TentativeCollisions::TentativeCollisions(const Majorants& majorants, const Ray& 
 void TentativeCollisions::enter() {
   t_ = std::max(t_, t_in_);
   if (majorants_.everywhere_) {
-    majorant_ = majorants_.cells_.front(), t_cell_ = kInfinity;
+    majorant_ = palette_.per_length(majorants_.cells_.front()), t_cell_ = kInfinity;
     return;
   }
   const Vec3 p = ray_.at(t_), size = majorants_.extent_.extent();
@@ -79,7 +79,7 @@ void TentativeCollisions::enter() {
     const float plane = low + width * static_cast<float>(cell_[a] + (d > 0));
     t_next_[axis] = d == 0 ? kInfinity : (plane - ray_.origin[axis]) / d;
   }
-  majorant_ = majorants_.of(cell_);
+  majorant_ = palette_.per_length(majorants_.of(cell_));
   t_cell_ = std::max(t_, std::min({t_next_.x, t_next_.y, t_next_.z, t_out_}));
 }
 
@@ -94,7 +94,7 @@ void TentativeCollisions::enter_next_cell() {
   }
   const float width = majorants_.extent_.extent()[axis] / static_cast<float>(majorants_.counts_[a]);
   t_next_[axis] += width / std::abs(d);
-  majorant_ = majorants_.of(cell_);
+  majorant_ = palette_.per_length(majorants_.of(cell_));
   t_cell_ = std::max(t_, std::min({t_next_.x, t_next_.y, t_next_.z, t_out_}));
 }
 

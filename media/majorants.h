@@ -9,7 +9,9 @@
 #include <span>
 #include <vector>
 
+#include "dspm/base/colour/palette.h"
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/media/medium.h"
@@ -42,7 +44,7 @@ class TentativeCollisions {
  public:
   static constexpr int kLargest = 3;  // stands for the colour of the largest majorant at each point
 
-  TentativeCollisions(const Majorants& majorants, const Ray& ray, int colour);
+  TentativeCollisions(const Majorants& majorants, const Ray& ray, int colour, const Palette& palette);
 
   /// Goes on to the next collision or, if there is none before it, to `end`. Returns whether it has met one. `number()`
   /// returns a uniform number in [0, 1) that no other call returns.
@@ -51,9 +53,9 @@ class TentativeCollisions {
 
   float distance() const { return t_; }
   /// The majorant at the collision.
-  const Rgb& majorant() const { return majorant_; }
+  const Spectrum& majorant() const { return majorant_; }
   /// The integral of the majorants over the part of the ray that the last call has passed.
-  const Rgb& depth() const { return depth_; }
+  const Spectrum& depth() const { return depth_; }
 
  private:
   float rate() const { return colour_ == kLargest ? max_component(majorant_) : majorant_[colour_]; }
@@ -69,7 +71,8 @@ class TentativeCollisions {
   float left_ = -1;                             // depth up to the next collision; below 0: not drawn
   std::array<int, 3> cell_{};
   Vec3 t_next_;  // where the ray crosses the next plane of each axis
-  Rgb majorant_, depth_;
+  const Palette& palette_;
+  Spectrum majorant_, depth_;
 };
 
 template <class Number>

@@ -5,7 +5,9 @@
 #include <memory>
 #include <optional>
 
+#include "dspm/base/colour/palette.h"
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/transform.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
@@ -14,21 +16,28 @@
 namespace dspm {
 
 /// What a medium does to light at a point, per unit of length in the world.
-struct MediumProperties {
-  Rgb sigma_a;  // the share that is absorbed
-  Rgb sigma_s;  // the share that is scattered
-  Rgb emitted;  // the radiance that is added
+template <class C>
+struct MediumPropertiesIn {
+  C sigma_a;    // the share that is absorbed
+  C sigma_s;    // the share that is scattered
+  C emitted;    // the radiance that is added
   float g = 0;  // the mean cosine of scattering, between -1 and 1 [Henyey and Greenstein 1941]
 
-  Rgb sigma_t() const { return sigma_a + sigma_s; }
+  C sigma_t() const { return sigma_a + sigma_s; }
   /// The share of what is not passed on that is scattered.
-  Rgb albedo() const {
-    const Rgb all = sigma_t();
-    Rgb share;
+  C albedo() const {
+    const C all = sigma_t();
+    C share;
     for (int c = 0; c < 3; ++c) share[c] = all[c] > 0 ? sigma_s[c] / all[c] : 0;
     return share;
   }
 };
+using MediumProperties = MediumPropertiesIn<Rgb>;
+/// The same as paths carry it.
+using CarriedMedium = MediumPropertiesIn<Spectrum>;
+inline CarriedMedium carried(const MediumProperties& here, const Palette& palette) {
+  return {palette.per_length(here.sigma_a), palette.per_length(here.sigma_s), palette.light(here.emitted), here.g};
+}
 
 class Medium {
  public:

@@ -94,8 +94,9 @@ Radiance escaped(const Query& query, const Rays& rays, const Parts& parts) {
     const Ray& ray = rays.rays[static_cast<std::size_t>(parts.ray[i])];
     constexpr int kBounces = 1;  // the light, whatever the camera sees instead
     for_each_escape(*query.scene, parts.frames[i], ray, kBounces,
-                    [&](FrameSet frames, const Rgb& radiance, const SceneLight& light, const Light& state) {
-                      chunk.add(parts.ray[i], frames, radiance, light.probability * state.escaped_pdf_w(ray));
+                    [&](FrameSet frames, const Spectrum& radiance, const SceneLight& light, const Light& state) {
+                      chunk.add(parts.ray[i], frames, Palette::rgb().seen(radiance),
+                                light.probability * state.escaped_pdf_w(ray));
                     });
   });
 }

@@ -43,7 +43,7 @@ py::array of_directions(const Surfaces& s, const Rows<Vec3>& wi, const std::opti
 
 py::array evaluate(const Surfaces& s, const Rows<Vec3>& wi, const std::optional<Rows<int>>& row) {
   return of_directions<Rgb>(s, wi, row, [](const Bsdf& bsdf, const Vec3& wo, const Vec3& w) {
-    return bsdf.evaluate(wo, w, Transport::radiance, bsdf.all_lobes());
+    return Palette::rgb().seen(bsdf.evaluate(wo, w, Transport::radiance, bsdf.all_lobes()));
   });
 }
 
@@ -61,7 +61,7 @@ Scattered sample(const Surfaces& s, const Rows<Vec3>& u) {
     const auto drawn = bsdf.sample(s.wo[i], numbers[i], Transport::radiance, bsdf.all_lobes());
     if (!drawn) return;
     chunk.rays.add(s.points[i].spawn(drawn->wi), s.frames[i], static_cast<int>(i));
-    chunk.weight.push_back(drawn->weight), chunk.pdf_w.push_back(drawn->pdf_w);
+    chunk.weight.push_back(Palette::rgb().seen(drawn->weight)), chunk.pdf_w.push_back(drawn->pdf_w);
     chunk.specular.push_back(drawn->specular);
   });
 }
@@ -100,10 +100,11 @@ Radiance emitted(const Surfaces& s) {
     const Vertex vertex(*s.scene, ray, {s.frames[i], s.hits[i]});
     if (vertex.shape.light < 0) return;
     const float chance = s.scene->lights[static_cast<std::size_t>(vertex.shape.light)].probability;
-    for_each_emission(*s.scene, vertex, s.frames[i], [&](FrameSet frames, const Rgb& radiance, const Light& state) {
-      chunk.add(static_cast<int>(i), frames, radiance,
-                chance * state.pdf_w(ray.origin, vertex.point, vertex.hit.primitive));
-    });
+    for_each_emission(*s.scene, vertex, s.frames[i],
+                      [&](FrameSet frames, const Spectrum& radiance, const Light& state) {
+                        chunk.add(static_cast<int>(i), frames, Palette::rgb().seen(radiance),
+                                  chance * state.pdf_w(ray.origin, vertex.point, vertex.hit.primitive));
+                      });
   });
 }
 

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "dspm/base/colour/palette.h"
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/colour/wavelength.h"
 #include "dspm/base/math/ray.h"
@@ -47,8 +48,9 @@ struct SurfacePoint {
   float outside_eta = 1;
   // That index at the wavelength below, over outside_eta.
   float outside_dispersion = 1;
-  Wavelength wavelength{};  // of the path that has met the surface
-  VertexPlace vertices{};   // of a mesh with colours of vertices or second texture coordinates
+  Wavelength wavelength{};                   // of the path that has met the surface
+  const Palette* palette = &Palette::rgb();  // likewise
+  VertexPlace vertices{};                    // of a mesh with colours of vertices or second texture coordinates
 
   /// A ray that leaves the surface in direction w (unit length), from a point further off p than its error, on w's side
   /// of ng.

@@ -33,7 +33,7 @@ Image albedos(const Scene& scene, int width, int height, std::uint64_t seed) {
       BsdfSlot slot;
       const Bsdf& bsdf = scene.materials[static_cast<std::size_t>(material)].states[0].object->bsdf(point, slot);
       image.pixels[static_cast<std::size_t>(pixel)] +=
-          albedo(bsdf, -ray.direction, Transport::radiance, random, kSamples).mean / kRays;
+          scene.palette->seen(albedo(bsdf, -ray.direction, Transport::radiance, random, kSamples).mean) / kRays;
     }
   return image;
 }

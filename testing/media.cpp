@@ -123,11 +123,11 @@ Verdict lets_light_through(const Medium& medium) {
     }
     double sum = 0, squares = 0;
     for (int n = 0; n < kRays; ++n) {
-      TentativeCollisions collisions(majorants, ray, 1);
+      TentativeCollisions collisions(majorants, ray, 1, Palette::rgb());
       double left = 1;
       while (left > 0 && collisions.advance(distance, numbers))
         left *= std::max(0., 1 - static_cast<double>(medium.at(ray.at(collisions.distance())).sigma_t().g) /
-                                     static_cast<double>(collisions.majorant().g));
+                                     static_cast<double>(collisions.majorant()[1]));
       sum += left, squares += left * left;
     }
     const double mean = sum / kRays, error = std::sqrt(std::max(0., squares / kRays - mean * mean) / kRays);

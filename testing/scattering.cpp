@@ -6,7 +6,7 @@
 #include <array>
 #include <bit>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/testing/chi2.h"
@@ -19,10 +19,10 @@ namespace {
 constexpr Transport kTransports[] = {Transport::radiance, Transport::flux};
 
 std::string text(const Vec3& v) { return fmt::format("({} {} {})", v.x, v.y, v.z); }
-std::string text(const Rgb& c) { return fmt::format("({} {} {})", c.r, c.g, c.b); }
+std::string text(const Spectrum& c) { return fmt::format("({} {} {})", c[0], c[1], c[2]); }
 const char* text(Transport transport) { return transport == Transport::radiance ? "radiance" : "flux"; }
 
-bool near(const Rgb& a, const Rgb& b, float relative) {
+bool near(const Spectrum& a, const Spectrum& b, float relative) {
   for (int c = 0; c < 3; ++c)
     if (!(std::abs(a[c] - b[c]) <= relative * std::max(std::abs(a[c]), std::abs(b[c])) + 5e-6f)) return false;
   return true;
@@ -108,7 +108,8 @@ std::string fault(const Bsdf& bsdf, const SurfacePoint& point, const Vec3& wo, T
   const float pdf_w = bsdf.pdf_w(wo, drawn.wi, transport, lobes);
   if (!(std::abs(pdf_w - drawn.pdf_w) <= 3e-3f * drawn.pdf_w))
     return fmt::format("says density {}, pdf_w says {}", drawn.pdf_w, pdf_w);
-  const Rgb weight = bsdf.evaluate(wo, drawn.wi, transport, lobes) * (std::abs(dot(drawn.wi, point.ns)) / drawn.pdf_w);
+  const Spectrum weight =
+      bsdf.evaluate(wo, drawn.wi, transport, lobes) * (std::abs(dot(drawn.wi, point.ns)) / drawn.pdf_w);
   if (!near(drawn.weight, weight, 3e-3f))
     return "says weight " + text(drawn.weight) + ", evaluate says " + text(weight);
   return "";
@@ -166,17 +167,17 @@ Verdict keeps_to_sides(const Material& material) {
                          Transport transport) {
     const LobeSet all = bsdf.all_lobes();
     const float pdf_w = bsdf.pdf_w(wo, wi, transport, all);
-    const Rgb f = bsdf.evaluate(wo, wi, transport, all);
+    const Spectrum f = bsdf.evaluate(wo, wi, transport, all);
     const auto wrong = [&](const std::string& what) {
       verdict.fail(fmt::format("wo {}, wi {}, {}: {}", text(wo), text(wi), text(transport), what));
     };
-    if (!is_finite(f) || !std::isfinite(pdf_w) || !(pdf_w >= 0) || !(std::min({f.r, f.g, f.b}) >= 0))
+    if (!is_finite(f) || !std::isfinite(pdf_w) || !(pdf_w >= 0) || !(std::min({f[0], f[1], f[2]}) >= 0))
       wrong(fmt::format("f is {}, pdf_w {}", text(f), pdf_w));
     const Vec3& incident = transport == Transport::radiance ? wi : wo;  // where light comes from
     const bool sides_agree = dot(incident, point.ng) * dot(incident, point.ns) > 0;
     const bool through = dot(wi, point.ng) * dot(wo, point.ng) < 0;
     if (!sides_agree || (through && !bsdf.transmits(all))) {
-      if (f != Rgb(0) || pdf_w != 0) wrong("there should be no light, and no sample");
+      if (f != Spectrum(0) || pdf_w != 0) wrong("there should be no light, and no sample");
     } else if (!is_black(f) && pdf_w == 0) {
       wrong("evaluate is not 0 in directions that sample never draws");
     }
@@ -199,7 +200,7 @@ Verdict is_reciprocal(const Material& material) {
     };
     for (int n = 0; n < 2000; ++n) {
       const Vec3 wo = any_direction(random, n), wi = any_direction(random, 10'000 + n);
-      const Rgb back = f(wi, wo, Transport::radiance), flux = f(wo, wi, Transport::flux);
+      const Spectrum back = f(wi, wo, Transport::radiance), flux = f(wo, wi, Transport::flux);
       const bool through = wo.z * wi.z < 0, plain = point.ns == point.ng;
       const bool equal = through || !plain || near(f(wo, wi, Transport::radiance), flux, 2e-3f);
       if (!near(flux, back, 2e-3f) || !equal)

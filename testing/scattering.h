@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/rng.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/material.h"
@@ -40,7 +40,7 @@ Verdict check_scattering(const std::string& words);
 /// The fraction of light from wo that is scattered: the mean weight of samples of all lobes, and its standard error.
 /// u.z is stratified, so that specular choices hardly vary.
 struct Albedo {
-  Rgb mean, error;
+  Spectrum mean, error;
 };
 Albedo albedo(const Bsdf& bsdf, const Vec3& wo, Transport transport, const PathRandom& random, int samples);
 

@@ -5,7 +5,9 @@
 #include <memory>
 #include <optional>
 
+#include "dspm/base/colour/palette.h"
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/math/vertex_data.h"
 
@@ -21,18 +23,35 @@ struct TexturePoint {
   Vec3 dpdu{}, dpdv{};  // derivatives of p by uv; dpdv is zero if they are not known
   Vec3 dpdx{}, dpdy{};  // the footprint
   VertexPlace vertices{};
+  const Palette* palette = &Palette::rgb();  // of the path that has come here
 };
 
+/// What a path carries of a texture's values.
+template <class T>
+struct CarriedAs;
+template <>
+struct CarriedAs<float> {
+  using Type = float;
+};
+template <>
+struct CarriedAs<Rgb> {
+  using Type = Spectrum;
+};
+template <class T>
+using Carried = typename CarriedAs<T>::Type;
+inline float carried(float value, const TexturePoint&) { return value; }
+inline Spectrum carried(const Rgb& value, const TexturePoint& at) { return at.palette->carried(value); }
+
 /// Returns whether a surface can reflect the colour.
-inline bool is_albedo(const Rgb& c) {
-  return c.r >= 0 && c.r <= 1 && c.g >= 0 && c.g <= 1 && c.b >= 0 && c.b <= 1;
-}
+inline bool is_albedo(const Rgb& c) { return c.r >= 0 && c.r <= 1 && c.g >= 0 && c.g <= 1 && c.b >= 0 && c.b <= 1; }
 
 template <class T>
 class Texture {
  public:
   virtual ~Texture() = default;
   virtual T evaluate(const TexturePoint& at) const = 0;
+  /// The value for paths. Textures of spectra, and of other textures, know more of it than the colour says.
+  virtual Carried<T> carried(const TexturePoint& at) const { return dspm::carried(evaluate(at), at); }
   /// Returns the value if it is the same everywhere. Call it once, when a material is made.
   virtual std::optional<T> constant() const { return std::nullopt; }
   /// Returns whether evaluate() over a footprint is the mean of its values at points, and these lie in 0..1, so that
@@ -51,6 +70,7 @@ class ConstantTexture final : public Texture<T> {
  public:
   explicit ConstantTexture(const T& value) : value_(value) {}
   T evaluate(const TexturePoint&) const override { return value_; }
+  Carried<T> carried(const TexturePoint& at) const override { return dspm::carried(value_, at); }
   std::optional<T> constant() const override { return value_; }
   bool averages() const override { return is_albedo(Rgb(value_)); }
 

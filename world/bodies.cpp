@@ -20,7 +20,7 @@ void find_bodies(Scene& scene) {
       if (!state.object->bounds_a_body()) continue;
       bounds.back() = true;
       priorities.insert(state.object->priority());
-      absorbs |= !is_black(state.object->absorption());
+      absorbs |= !is_black(state.object->absorption(Palette::rgb()));
     }
   }
   scene.nests = priorities.size() > 1;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "dspm/base/colour/rgb.h"
-#include "dspm/base/colour/spectrum.h"
+#include "dspm/base/colour/spectral_curve.h"
 
 namespace dspm {
 

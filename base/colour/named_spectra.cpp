@@ -3,15 +3,15 @@
 #include <cmath>
 #include <string>
 
-#include "dspm/base/colour/spectrum.h"
+#include "dspm/base/colour/spectral_curve.h"
 #include "dspm/base/colour/spectrum_tables.h"
 
 namespace dspm {
 namespace {
 
 template <class Value>
-Spectrum tabulate(int first_nm, int last_nm, int step, Value&& value) {
-  Spectrum spectrum;
+SpectralCurve tabulate(int first_nm, int last_nm, int step, Value&& value) {
+  SpectralCurve spectrum;
   for (int nm = first_nm; nm <= last_nm; nm += step) {
     spectrum.nm.push_back(static_cast<float>(nm));
     spectrum.values.push_back(static_cast<float>(value(nm)));
@@ -51,7 +51,7 @@ constexpr Glass kGlasses[] = {
     {"glass-F11", {1.73759695, 0.313747346, 1.89878101}, {0.013188707, 0.0623068142, 155.23629}},
 };
 
-Spectrum dispersion(const Glass& glass) {
+SpectralCurve dispersion(const Glass& glass) {
   return tabulate(360, 830, 5, [&](int nm) {
     const double l2 = 1e-6 * nm * nm;
     double n2 = 1;
@@ -61,7 +61,7 @@ Spectrum dispersion(const Glass& glass) {
 }
 
 /// CIE illuminant A: a black body of 2848 K by the radiation constant of 1931.
-Spectrum incandescent() {
+SpectralCurve incandescent() {
   return tabulate(360, 830, 5, [](int nm) {
     return 100 * std::pow(560. / nm, 5) * std::expm1(1.435e7 / (2848. * 560)) / std::expm1(1.435e7 / (2848. * nm));
   });
@@ -77,7 +77,7 @@ constexpr Daylight kDaylights[] = {{"stdillum-D50", 5000 * 1.4388 / 1.438},
                                    {"illum-acesD60", 6000 * 1.4388 / 1.438}};
 
 /// CIE 15: the chromaticity of daylight of a colour temperature of 4000 to 7000 K, and the spectrum that has it.
-Spectrum daylight(double t) {
+SpectralCurve daylight(double t) {
   const double x = -4.6070e9 / (t * t * t) + 2.9678e6 / (t * t) + 0.09911e3 / t + 0.244063;
   const double y = -3 * x * x + 2.87 * x - 0.275;
   const double m = 0.0241 + 0.2562 * x - 0.7341 * y;
@@ -94,12 +94,12 @@ std::string lamp_name(std::size_t index) { return "stdillum-F" + std::to_string(
 
 }  // namespace
 
-std::optional<Spectrum> named_spectrum(std::string_view name) {
+std::optional<SpectralCurve> named_spectrum(std::string_view name) {
   for (const Glass& glass : kGlasses)
     if (glass.name == name) return dispersion(glass);
   for (const NamedTable& table : metal_tables())
     if (table.name == name)
-      return Spectrum{{table.nm.begin(), table.nm.end()}, {table.values.begin(), table.values.end()}};
+      return SpectralCurve{{table.nm.begin(), table.nm.end()}, {table.values.begin(), table.values.end()}};
   if (name == "stdillum-A") return incandescent();
   for (const Daylight& each : kDaylights)
     if (each.name == name) return daylight(each.kelvin);
@@ -119,7 +119,7 @@ std::vector<std::string> spectrum_names() {
   return names;
 }
 
-Spectrum blackbody(float kelvin) {
+SpectralCurve blackbody(float kelvin) {
   constexpr double kSecondConstant = 1.438776877e7;  // hc / k, in nm K
   const double t = static_cast<double>(kelvin);
   // In logarithms, because for a cold or very hot body both factors of Planck's law leave the range of a double.

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "dspm/base/colour/rgb.h"
-#include "dspm/base/colour/spectrum.h"
+#include "dspm/base/colour/spectral_curve.h"
 #include "dspm/base/colour/spectrum_tables.h"
 
 namespace dspm {
@@ -50,7 +50,7 @@ inline std::array<double, 3> rec709(const Xyz& c) {
 /// weights are two to ten times worse.
 template <class Value>
 std::array<double, 3> under_daylight(Value&& value) {
-  static const Spectrum daylight = *named_spectrum("stdillum-D65");
+  static const SpectralCurve daylight = *named_spectrum("stdillum-D65");
   static const auto white = rec709(integrate([](int nm) { return daylight.at(static_cast<float>(nm)); }));
   auto rgb = rec709(integrate([&](int nm) { return value(nm) * daylight.at(static_cast<float>(nm)); }));
   for (std::size_t i = 0; i < 3; ++i) rgb[i] /= white[i];

@@ -4,14 +4,14 @@
 #include <limits>
 
 #include "dspm/base/colour/observer.h"
-#include "dspm/base/colour/spectrum.h"
+#include "dspm/base/colour/spectral_curve.h"
 
 namespace dspm {
 
 // The conversion is linear, so a sample's weight is the colour of a spectrum that is 1 there and 0 at all others.
 SampledColours::SampledColours(const std::vector<float>& nm) {
   for (std::size_t i = 0; i < nm.size(); ++i) {
-    Spectrum one{nm, std::vector<float>(nm.size())};
+    SpectralCurve one{nm, std::vector<float>(nm.size())};
     one.values[i] = 1;
     weights_.push_back(
         under_daylight([&](int at) { return one.at(std::clamp(static_cast<float>(at), nm.front(), nm.back())); }));

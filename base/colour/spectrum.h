@@ -1,41 +1,23 @@
-// Spectra as scene files give them (named, sampled, black body), and their conversion to linear Rec. 709 RGB. dspm
-// renders in RGB; of spectra, only indices of refraction outlive the reading of parameters.
+// What a path carries. A render in RGB carries red, green and blue; a spectral one carries values at three wavelengths,
+// other ones in each iteration, over those of daylight: so white has the same value in all components either way. Only the
+// iteration's Palette (palette.h) says which; whoever scatters light treats the components alike.
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/componentwise.h"
 
 namespace dspm {
 
-/// The meaning of a spectrum; it decides the conversion to RGB.
-enum class SpectrumRole {
-  albedo,      // a reflectance or transmittance: its colour under D65, white being (1, 1, 1), clamped to 0..1
-  unbounded,   // an index of refraction or absorption: as albedo, but constant beyond its samples and unlimited
-  illuminant,  // emission: its colour at luminance 1, whatever its samples' unit, as in pbrt; "scale" sets the strength
+struct Spectrum : Componentwise<Spectrum> {
+  float v[3] = {0, 0, 0};
+
+  constexpr Spectrum() = default;
+  constexpr explicit Spectrum(float grey) : v{grey, grey, grey} {}
+  constexpr Spectrum(float first, float second, float third) : v{first, second, third} {}
+
+  constexpr float operator[](int i) const { return v[i]; }
+  constexpr float& operator[](int i) { return v[i]; }
+  friend bool operator==(const Spectrum&, const Spectrum&) = default;
 };
-
-inline constexpr int kFirstNm = 360, kLastNm = 830;  // where the observer sees anything
-
-/// A function of wavelength (nm, ascending), linear between samples and, as in pbrt, zero outside.
-struct Spectrum {
-  std::vector<float> nm, values;
-  float at(float wavelength) const;
-};
-
-/// pbrt's named spectra, and some more glasses: glass-BK7, metal-Cu-eta, stdillum-D65, ...
-std::optional<Spectrum> named_spectrum(std::string_view name);
-std::vector<std::string> spectrum_names();
-/// The radiance of a black body over wavelength, its peak scaled to 1.
-Spectrum blackbody(float kelvin);
-
-/// The CIE XYZ of light, by the observer of 1931.
-std::array<double, 3> to_xyz(const Spectrum& spectrum);
-/// The result is finite and never negative: colours outside Rec. 709 are clamped to it.
-Rgb to_rgb(const Spectrum& spectrum, SpectrumRole role);
+static_assert(sizeof(Spectrum) == 12);
 
 }  // namespace dspm

@@ -13,12 +13,12 @@ namespace {
 constexpr std::size_t kCount = kLastNm - kFirstNm + 1;
 
 struct Hues {
-  std::array<Rgb, kCount> hue;
+  std::array<Spectrum, kCount> hue;
   std::array<double, kCount> probability;
   std::array<double, kCount> sums;  // of probabilities, up to and with each
 
   Hues() {
-    const Spectrum daylight = *named_spectrum("stdillum-D65");
+    const SpectralCurve daylight = *named_spectrum("stdillum-D65");
     std::array<std::array<double, 3>, kCount> colours;
     std::array<double, 3> white{};
     for (std::size_t i = 0; i < kCount; ++i) {
@@ -62,6 +62,6 @@ std::int16_t wavelength_of(std::uint64_t seed, std::uint64_t iteration) {
 
 double wavelength_probability(int nm) { return hues().probability[index_of(nm)]; }
 
-Rgb hue(int nm) { return hues().hue[index_of(nm)]; }
+Spectrum hue(int nm) { return nm < 0 ? Spectrum(3, 0, 0) : hues().hue[index_of(nm)]; }
 
 }  // namespace dspm

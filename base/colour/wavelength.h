@@ -7,19 +7,20 @@
 
 #include <cstdint>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectral_curve.h"
 #include "dspm/base/colour/spectrum.h"
 
 namespace dspm {
 
 struct Wavelength {
-  std::int16_t nm = 0;  // 0: nothing in the scene refracts by wavelength
-  bool alone = false;   // the path has been refracted by it: its light has no other
+  // 0: nothing in the scene refracts by wavelength. Negative: the render is spectral, and it is the first of the three.
+  std::int16_t nm = 0;
+  bool alone = false;  // the path has been refracted by it: its light has no other
   // The path's throughput is then multiplied by the hue; if not, whoever adds its light multiplies by it.
   bool weighs = false;
 
   /// Returns the factor to f where the path is refracted by its wavelength.
-  Rgb hue_on_refraction() const;
+  Spectrum hue_on_refraction() const;
   /// Returns the wavelength if the path's light has it alone and lacks its hue, else 0.
   std::int16_t only_nm() const { return alone && !weighs ? nm : std::int16_t{0}; }
   friend bool operator==(const Wavelength&, const Wavelength&) = default;
@@ -33,16 +34,17 @@ std::int16_t wavelength_at(double u);
 /// Returns the probability of the wavelength, a whole number of nm.
 double wavelength_probability(int nm);
 
-/// Returns the colour of daylight of that wavelength, over its probability: never negative, and white on average. What
-/// lies outside Rec. 709 is clamped to it.
-Rgb hue(int nm);
+/// Returns what is left of white light that goes on with that wavelength alone, see Wavelength::nm: white on average. In
+/// a spectral render, the first component; else the colour of daylight of that wavelength, over its probability. It is
+/// never negative: what lies outside Rec. 709 is clamped to it.
+Spectrum hue(int nm);
 
-inline Rgb Wavelength::hue_on_refraction() const { return weighs && !alone ? hue(nm) : Rgb(1); }
+inline Spectrum Wavelength::hue_on_refraction() const { return weighs && !alone ? hue(nm) : Spectrum(1); }
 
 /// Returns the factor to light that a camera path finds, if that light has one wavelength and lacks its hue; 0: it has all
 /// colours. The hue counts once: the throughput of a camera path of one wavelength has it already.
-inline Rgb hue_of_found(int only_nm, bool camera_is_alone) {
-  return only_nm != 0 && !camera_is_alone ? hue(only_nm) : Rgb(1);
+inline Spectrum hue_of_found(int only_nm, bool camera_is_alone) {
+  return only_nm != 0 && !camera_is_alone ? hue(only_nm) : Spectrum(1);
 }
 
 }  // namespace dspm

@@ -60,7 +60,7 @@ ColourOrSpectrum ParamReader::colour_or_spectrum(std::string_view name, Rgb fall
   const Param* param = take(name, kColourTypes, default_text(fallback), {}, sentence);
   if (param == nullptr) return {fallback, {}};
   if (param->type != ParamType::spectrum) return {colour(*param, role).value_or(fallback), {}};
-  std::optional<Spectrum> given = spectrum(*param);
+  std::optional<SpectralCurve> given = spectrum(*param);
   const Rgb seen = given ? to_rgb(*given, role) : fallback;
   return {seen, std::move(given)};
 }
@@ -99,7 +99,7 @@ std::vector<Rgb> ParamReader::colours(std::string_view name, SpectrumRole role, 
 
 std::optional<Rgb> ParamReader::colour(const Param& param, SpectrumRole role) {
   if (param.type == ParamType::spectrum) {
-    const std::optional<Spectrum> given = spectrum(param);
+    const std::optional<SpectralCurve> given = spectrum(param);
     return given ? std::optional(to_rgb(*given, role)) : std::nullopt;
   }
   if (!count_is(param, param.type == ParamType::rgb ? 3 : 1)) return std::nullopt;
@@ -122,7 +122,7 @@ std::optional<Rgb> ParamReader::colour(const Param& param, SpectrumRole role) {
   return std::nullopt;
 }
 
-std::optional<Spectrum> ParamReader::spectrum(const Param& param) {
+std::optional<SpectralCurve> ParamReader::spectrum(const Param& param) {
   const auto* texts = std::get_if<std::vector<std::string>>(&param.values);
   if (!texts) return spectrum_from_pairs(param, numbers_of(param));
   if (!count_is(param, 1)) return std::nullopt;
@@ -130,7 +130,7 @@ std::optional<Spectrum> ParamReader::spectrum(const Param& param) {
   return spectrum_from_file(param, texts->front());
 }
 
-std::optional<Spectrum> ParamReader::spectrum_from_file(const Param& param, const std::string& name) {
+std::optional<SpectralCurve> ParamReader::spectrum_from_file(const Param& param, const std::string& name) {
   const std::filesystem::path path = existing_file(param, name);
   if (path.empty()) {
     diagnostics_.error(param.values_where, fmt::format("unknown spectrum \"{}\", and no file has that name", name),
@@ -145,13 +145,13 @@ std::optional<Spectrum> ParamReader::spectrum_from_file(const Param& param, cons
   }
 }
 
-std::optional<Spectrum> ParamReader::spectrum_from_pairs(const Param& param, const std::vector<float>& pairs) {
+std::optional<SpectralCurve> ParamReader::spectrum_from_pairs(const Param& param, const std::vector<float>& pairs) {
   const std::string wrong = fault(pairs);
   if (!wrong.empty()) {
     diagnostics_.error(param.values_where, fmt::format("{} {}", quoted(param.name), wrong));
     return std::nullopt;
   }
-  Spectrum spectrum;
+  SpectralCurve spectrum;
   for (std::size_t i = 0; i < pairs.size(); i += 2) {
     spectrum.nm.push_back(pairs[i]);
     spectrum.values.push_back(pairs[i + 1]);

@@ -13,7 +13,7 @@
 
 #include "dspm/base/colour/colour_space.h"
 #include "dspm/base/colour/rgb.h"
-#include "dspm/base/colour/spectrum.h"
+#include "dspm/base/colour/spectral_curve.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/errors.h"
@@ -94,7 +94,7 @@ struct ValueOrTexture {
 /// A colour, and the spectrum that it is of if the scene gives one.
 struct ColourOrSpectrum {
   Rgb colour;
-  std::optional<Spectrum> spectrum;
+  std::optional<SpectralCurve> spectrum;
 };
 
 /// Thrown by finish() if no object is wanted: in describe(), and after only_check().
@@ -189,9 +189,9 @@ class ParamReader {
   ValueOrTexture<Rgb> take_colour(std::string_view name, Rgb fallback, std::string default_value, SpectrumRole role,
                                   bool textures, std::string_view sentence);
   std::optional<Rgb> colour(const Param& param, SpectrumRole role);
-  std::optional<Spectrum> spectrum(const Param& param);
-  std::optional<Spectrum> spectrum_from_file(const Param& param, const std::string& name);
-  std::optional<Spectrum> spectrum_from_pairs(const Param& param, const std::vector<float>& pairs);
+  std::optional<SpectralCurve> spectrum(const Param& param);
+  std::optional<SpectralCurve> spectrum_from_file(const Param& param, const std::string& name);
+  std::optional<SpectralCurve> spectrum_from_pairs(const Param& param, const std::vector<float>& pairs);
   std::filesystem::path take_file(std::string_view name, bool required, std::string_view sentence);
   /// Returns the files that `name` may mean, most likely first.
   std::vector<std::filesystem::path> places(const Param& param, const std::string& name) const;

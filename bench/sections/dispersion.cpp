@@ -18,7 +18,7 @@ double away_from_white(int iterations, bool independent) {
   constexpr std::uint64_t kSeeds = 1000;
   double sum = 0;
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
-    Rgb hues;
+    Spectrum hues;
     for (int i = 0; i < iterations; ++i) {
       const auto number = static_cast<std::uint64_t>(i);
       hues += hue(independent ? wavelength_of(seed * 1000 + number, 0) : wavelength_of(seed, number));

@@ -49,8 +49,8 @@ std::string range(const White& white, float roughness, int samples) {
   for (const float cos : {0.1f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f, 0.7f, 0.8f, 0.9f, 1.f})
     for (const float phi : {0.f, 0.8f, 1.57f}) {
       const Vec3 wo = test::direction(white.side * cos, phi);
-      const Rgb mean = test::albedo(bsdf, wo, Transport::flux, random, samples).mean;
-      least = std::min({least, mean.r, mean.g, mean.b}), most = std::max(most, max_component(mean));
+      const Spectrum mean = test::albedo(bsdf, wo, Transport::flux, random, samples).mean;
+      least = std::min({least, mean[0], mean[1], mean[2]}), most = std::max(most, max_component(mean));
     }
   return fmt::format("{:.3f} to {:.3f}", least, most);
 }

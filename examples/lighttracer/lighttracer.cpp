@@ -28,7 +28,7 @@ class PhotonTracer {
       light.states.for_each(choice.frames, [&](FrameSet frames, const Light& state) {
         const auto start = state.emit(random.pair(0, kLightPoint), random.pair(0, kLightDirection));
         if (!start) return;
-        const Rgb flux = start->flux / (chosen.probability * static_cast<float>(photons_));
+        const Spectrum flux = scene_.palette->light(start->flux) / (chosen.probability * static_cast<float>(photons_));
         PathState& path = branches_.push({start->ray, flux, frames});
         path.random = random;
         // Glass may refract by the iteration's wavelength, and colours what it refracts.
@@ -71,11 +71,12 @@ class PhotonTracer {
       const int x = static_cast<int>(std::floor(film.x)), y = static_cast<int>(std::floor(film.y));
       if (x < render_.crop.x0 || x >= render_.crop.x1 || y < render_.crop.y0 || y >= render_.crop.y1) return;
       const float cosine = std::abs(dot(sight->w, point.ns)) * shading_correction(point, vertex.wo, sight->w);
-      const Rgb radiance = path.throughput * bsdf.evaluate(vertex.wo, sight->w, Transport::flux, bsdf.all_lobes()) *
-                           (cosine * sight->pixels_per_area);
+      const Spectrum radiance = path.throughput *
+                                bsdf.evaluate(vertex.wo, sight->w, Transport::flux, bsdf.all_lobes()) *
+                                (cosine * sight->pixels_per_area);
       if (is_black(radiance) || !is_finite(radiance)) return;
       const FrameSet open = seeing - scene_.accel->occluded(point.spawn(sight->w, sight->distance), seeing);
-      if (!open.empty()) splats_.push_back({open, radiance, pixel_in_crop(render_.crop, x, y)});
+      if (!open.empty()) splats_.push_back({open, scene_.palette->seen(radiance), pixel_in_crop(render_.crop, x, y)});
     });
   }
 

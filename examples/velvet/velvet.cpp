@@ -25,14 +25,14 @@ using namespace dspm;
 
 class Velvet final : public Bsdf {
  public:
-  Velvet(const SurfacePoint& point, const Rgb& ground, const Rgb& rim, float falloff)
+  Velvet(const SurfacePoint& point, const Spectrum& ground, const Spectrum& rim, float falloff)
       : frame_(point), ground_(ground), rim_(rim), falloff_(falloff) {}
 
   LobeSet lobes(float) const override { return 1; }
 
-  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+  Spectrum evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
     const LocalPair pair(frame_, wo, wi, transport);
-    return (lobes & 1) && pair.reflection() ? f(pair.wo.z, pair.wi.z) : Rgb(0);
+    return (lobes & 1) && pair.reflection() ? f(pair.wo.z, pair.wi.z) : Spectrum(0);
   }
 
   float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
@@ -58,9 +58,9 @@ class Velvet final : public Bsdf {
  private:
   float grazing(float cosine) const { return std::pow(std::max(0.f, 1 - cosine), falloff_); }
 
-  Rgb f(float cos_o, float cos_i) const {
+  Spectrum f(float cos_o, float cos_i) const {
     const float g_o = grazing(cos_o), g_i = grazing(cos_i), n = (falloff_ + 1) * (falloff_ + 2) / 2;
-    return (ground_ * (Rgb(1) - rim_ * g_o) * (Rgb(1) - rim_ * g_i) + rim_ * (n * g_o * g_i)) / kPi;
+    return (ground_ * (Spectrum(1) - rim_ * g_o) * (Spectrum(1) - rim_ * g_i) + rim_ * (n * g_o * g_i)) / kPi;
   }
 
   /// Of sampling the whole hemisphere uniformly, as suits the rim.
@@ -74,7 +74,7 @@ class Velvet final : public Bsdf {
   }
 
   ShadingFrame frame_;
-  Rgb ground_, rim_;
+  Spectrum ground_, rim_;
   float falloff_;
 };
 
@@ -85,7 +85,7 @@ class VelvetMaterial final : public Material {
 
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
     const TexturePoint at = texture_point(point);
-    return slot.emplace<Velvet>(point, clamped_albedo(ground_->evaluate(at)), clamped_albedo(rim_->evaluate(at)),
+    return slot.emplace<Velvet>(point, clamped_albedo(ground_->carried(at)), clamped_albedo(rim_->carried(at)),
                                 falloff_);
   }
 

@@ -35,10 +35,10 @@ bool is_of_objects(Kind kind) { return kind == Kind::object || kind == Kind::cry
 bool is_mean(Kind kind) { return !is_id(kind) && !is_crypto(kind) && kind != Kind::alpha; }
 
 /// The directional-hemispherical reflectance (and transmittance), or an estimate of it.
-Rgb albedo(const Bsdf& bsdf, const Vertex& vertex, const CameraPath& path) {
+Spectrum albedo(const Bsdf& bsdf, const Vertex& vertex, const CameraPath& path) {
   if (const auto f = bsdf.lambertian(bsdf.all_lobes())) return *f * kPi;
   constexpr int kSamples = 4;
-  Rgb sum;
+  Spectrum sum;
   for (int i = 0; i < kSamples; ++i) {
     PathState other = path;
     other.bounces = i;  // other random numbers
@@ -182,7 +182,7 @@ class SurfaceOutputs final : public WrappingIntegrator {
       frames.for_each([&](Frame f) { layer.sums.at(path.pixel, f) += Rgb(1); });
       for (const FrameFactor& left :
            left_in_media(scene, path.ray, path.inside.medium, frames, {path.random, path.bounces}))
-        left.frames.for_each([&](Frame f) { layer.sums.at(path.pixel, f) += left.factor * -1.f; });
+        left.frames.for_each([&](Frame f) { layer.sums.at(path.pixel, f) += scene.palette->seen(left.factor) * -1.f; });
     }
   }
 
@@ -191,11 +191,13 @@ class SurfaceOutputs final : public WrappingIntegrator {
         start, first,
         [&](const CameraPath& path, const Vertex& vertex, const Bsdf& bsdf) {
           const bool shines = vertex.shape.light >= 0;  // regardless of what it scatters
-          add_for_denoising(path.pixel, path.frames, normal(scene, vertex),
-                            depth(scene, vertex, start.ray.at(path.length)),
-                            shines ? path.throughput : path.throughput * albedo(bsdf, vertex, path));
+          add_for_denoising(
+              path.pixel, path.frames, normal(scene, vertex), depth(scene, vertex, start.ray.at(path.length)),
+              scene.palette->seen(shines ? path.throughput : path.throughput * albedo(bsdf, vertex, path)));
         },
-        [&](const CameraPath& path, FrameSet frames) { add_nothing(path.pixel, frames, path.throughput); });
+        [&](const CameraPath& path, FrameSet frames) {
+          add_nothing(path.pixel, frames, scene.palette->seen(path.throughput));
+        });
   }
 
   void add_nothing(int pixel, FrameSet frames, const Rgb& left) {
@@ -236,7 +238,9 @@ class SurfaceOutputs final : public WrappingIntegrator {
           break;
         case Kind::uv: sum(vertex.frames, Rgb(vertex.point.uv.x, vertex.point.uv.y, 0)); break;
         case Kind::albedo:
-          for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) { sum(frames, albedo(bsdf, vertex, path)); });
+          for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
+            sum(frames, scene.palette->seen(albedo(bsdf, vertex, path)));
+          });
           break;
         default: break;
       }

@@ -143,7 +143,7 @@ PilotGathers NoisePilot::gathers(const PilotSight& sight, const PhotonSettings& 
       frames.for_each([&](Frame f) { weight += weights_[index(hit.pixel, f)]; });
       sums.variance += weight * r * r;
       // A camera path sees that much if it finds the light at all. [Veach 1997, 9.2]
-      const float albedo = luminance(hit.throughput) * (hit.scattering < 0 ? kPi : 1);
+      const float albedo = scene_.palette->luminance(hit.throughput) * (hit.scattering < 0 ? kPi : 1);
       sums.seen += weight * r * along * static_cast<double>(std::min(1.f, albedo));
       ++sums.found;
     };

@@ -39,8 +39,8 @@ std::vector<double> squares_in_beams(std::span<const HitPointTile> tiles, const 
       photons.for_each_along(beam, 1, [&](const auto& found, float distance, float radius2) {
         const FrameSet common = found.photon->frames & seen;
         const float phase = found.photon->phase.pdf_w(found.photon->w, -beam.ray.direction);
-        const auto gained = static_cast<double>(luminance(beam.throughput * found.photon->flux *
-                                                          section.left_at(distance) * (phase / kernel_size(radius2))));
+        const auto gained = static_cast<double>(tile.palette->luminance(
+            beam.throughput * found.photon->flux * section.left_at(distance) * (phase / kernel_size(radius2))));
         if (!common.empty() && gained > 0 && std::isfinite(gained))
           gains[static_cast<std::size_t>(t)].push_back({found.number, common.count() * gained * gained});
       });

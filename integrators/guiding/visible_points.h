@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/grid/point_grid.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/system/untouched.h"
@@ -35,8 +35,9 @@ class VisiblePoints {
               ? SameSurface(hit, *scattering, std::sqrt(point.radius2)).counts(photon.p, photon.wi, photon.face)
               : dot(photon.wi, hit.ng) > 0;
       if (!counts) return;
-      const Rgb f = scattering == nullptr ? Rgb(1) : scattering->scattered(photon.wi);
-      give(luminance(photon.flux * hit.throughput * f) / kernel_size(point.radius2), frames, hit, fn);
+      const Spectrum f = scattering == nullptr ? Spectrum(1) : scattering->scattered(photon.wi);
+      give(point.tile->palette->luminance(photon.flux * hit.throughput * f) / kernel_size(point.radius2), frames, hit,
+           fn);
     });
   }
   /// Calls fn likewise for points on surfaces that turn: those of the same strip that are no further away than the
@@ -47,8 +48,8 @@ class VisiblePoints {
       const HitStrip* strip = point.tile->strip_of(hit);
       if (strip == nullptr || strip->place.shape != photon.at.shape || strip->place.strip != photon.at.strip) return;
       const float irradiance = StripKernel(strip->place, std::sqrt(point.radius2)).irradiance(photon.at, photon.wi);
-      const Rgb f = point.tile->scattering_of(hit)->scattered(photon.wi) * std::abs(dot(photon.wi, strip->ns));
-      give(luminance(photon.flux * hit.throughput * f) * irradiance, frames, hit, fn);
+      const Spectrum f = point.tile->scattering_of(hit)->scattered(photon.wi) * std::abs(dot(photon.wi, strip->ns));
+      give(point.tile->palette->luminance(photon.flux * hit.throughput * f) * irradiance, frames, hit, fn);
     });
   }
 

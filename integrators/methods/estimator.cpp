@@ -23,15 +23,15 @@ void PixelEstimator::gather(const PhotonBatch& batch, BatchCounts& counts) {
     for (const HitPoint& hit : tile.glossy)
       if (hit.caught == of_.caught)
         gather_hidden(hit, tile, batch.hidden, of_.radius->squared(hit.radius), work,
-                      [&](FrameSet frames, const Rgb& radiance) {
-                        add({frames, radiance / static_cast<float>(of_.photons), hit.pixel});
+                      [&](FrameSet frames, const Spectrum& radiance) {
+                        add({frames, tile.palette->seen(radiance) / static_cast<float>(of_.photons), hit.pixel});
                       });
     for (const CameraBeam& beam : tile.beams)
       if (beam.caught == of_.caught)
         gather_beam(
             beam, tile, batch.in_media, of_.radius->of(1), work, [](int) { return true; },
-            [&](FrameSet frames, const Rgb& radiance) {
-              add({frames, radiance / static_cast<float>(of_.photons), beam.pixel});
+            [&](FrameSet frames, const Spectrum& radiance) {
+              add({frames, tile.palette->seen(radiance) / static_cast<float>(of_.photons), beam.pixel});
             });
   });
   gather_tiles(batch.tiles, counts.photons, [&](const HitPointTile& tile, GatherCounts& work) {

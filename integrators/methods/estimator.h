@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/integrators/methods/pixel_sink.h"
 #include "dspm/integrators/methods/pixel_statistics.h"

@@ -50,7 +50,7 @@ void FoundPhotons::gather_at(const HitPoint& hit, const HitPointTile& tile, cons
   if (!counts_) return;
   GatherCounts not_counted;
   gather_photons(hit, tile.scattering_of(hit), map, estimator.search_radius2(hit), not_counted,
-                 [&](const Strand*, FrameSet frames, RgbLanes, float distance2) {
+                 [&](const Strand*, FrameSet frames, SpectrumLanes, float distance2) {
                    frames.for_each([&](Frame f) {
                      pixels_.at(hit.pixel, f).photons += distance2 <= within2[static_cast<std::size_t>(f)];
                    });

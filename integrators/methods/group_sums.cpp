@@ -44,8 +44,9 @@ void GroupSums::gather(const PhotonBatch& batch, BatchCounts& counts) {
     }
     for (const CameraBeam& beam : tile.beams)
       gather_beam_by_group(beam, tile, batch.in_media, of_.radius->of(1), groups_,
-                           [&](FrameSet frames, const Rgb& radiance, int group) {
-                             frames.for_each([&](Frame f) { sums_.at(row(group, beam.pixel), f) += radiance; });
+                           [&](FrameSet frames, const Spectrum& radiance, int group) {
+                             const Rgb seen = tile.palette->seen(radiance);
+                             frames.for_each([&](Frame f) { sums_.at(row(group, beam.pixel), f) += seen; });
                            });
     for (const HitPoint& hit : tile.hit_points) {
       if (hit.caught) continue;
@@ -79,7 +80,7 @@ void GroupSums::gather_at(const HitPoint& hit, const HitPointTile& tile, const P
   std::vector<GatheredFlux> by_group;
   by_group.reserve(static_cast<std::size_t>(groups_.count()));
   for (int group = 0; group < groups_.count(); ++group) by_group.emplace_back(hit, map);
-  gather([&](const Strand* strands, FrameSet frames, RgbLanes flux, float distance2, const auto& group) {
+  gather([&](const Strand* strands, FrameSet frames, SpectrumLanes flux, float distance2, const auto& group) {
     if (const int own = group(); own != LightGroups::kNone)
       by_group[static_cast<std::size_t>(own)].add(strands,
                                                   distance2 <= narrowest2 ? frames : reached(frames, distance2), flux);
@@ -88,10 +89,10 @@ void GroupSums::gather_at(const HitPoint& hit, const HitPointTile& tile, const P
   for (int group = 0; group < groups_.count(); ++group) {
     GatheredFlux& flux = by_group[static_cast<std::size_t>(group)];
     flux.end();
-    for_each_strand(tile.strands.of(hit.strands), hit.frames, [&](FrameSet frames, const Rgb& weight) {
+    for_each_strand(tile.strands.of(hit.strands), hit.frames, [&](FrameSet frames, const Spectrum& weight) {
       frames.for_each([&](Frame f) {
-        sums_.at(row(group, hit.pixel), f) +=
-            flux.in(f) * (hit.throughput * weight / kernel_size(within2[static_cast<std::size_t>(f)]));
+        const Spectrum per_area = hit.throughput * weight / kernel_size(within2[static_cast<std::size_t>(f)]);
+        sums_.at(row(group, hit.pixel), f) += tile.palette->seen(flux.in(f)*per_area);
       });
     });
   }

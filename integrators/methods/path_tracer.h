@@ -1,7 +1,7 @@
 // Path tracing with next event estimation, both ways of finding a light combined by the balance heuristic [Veach 1997].
 #pragma once
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frame_array.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/vec.h"
@@ -62,7 +62,7 @@ class PathTracer {
     scatter_light(path, vertex);
   }
 
-  void glowed(const CameraPath& passing, FrameSet frames, const Rgb& radiance) {
+  void glowed(const CameraPath& passing, FrameSet frames, const Spectrum& radiance) {
     CameraPath path = passing;
     path.collide();
     add(path, path.bounces, frames, path.throughput * radiance,
@@ -72,7 +72,7 @@ class PathTracer {
   void escaped(const CameraPath& path, FrameSet frames) {
     if (render_.transparent && path.bounces == 0) return;
     for_each_escape(scene_, frames, path.ray, path.bounces,
-                    [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
+                    [&](FrameSet lit, const Spectrum& radiance, const SceneLight& scene_light, const Light& light) {
                       add(path, path.bounces, lit,
                           path.throughput * radiance * weight_of_escape(scene_, path, scene_light, light),
                           [&] { return light_element(scene_, scene_light); });
@@ -82,7 +82,7 @@ class PathTracer {
   void lost(const CameraPath& path, FrameSet frames, const SceneElement& giver) { reject(path, frames, giver); }
 
   void add_emission(const CameraPath& path, const Vertex& vertex) {
-    for_each_emission(scene_, vertex, vertex.frames, [&](FrameSet lit, const Rgb& radiance, const Light& light) {
+    for_each_emission(scene_, vertex, vertex.frames, [&](FrameSet lit, const Spectrum& radiance, const Light& light) {
       add(path, path.bounces, lit, path.throughput * radiance * weight_of_hit(scene_, path, vertex, light),
           [&] { return vertex.emitter_element(); });
     });
@@ -114,14 +114,14 @@ class PathTracer {
       }
     };
     sample_direct_light(scene_, path, place, path.frames, counts_, scattered,
-                        [&](FrameSet lit, const Rgb& radiance, auto&& giver) {
+                        [&](FrameSet lit, const Spectrum& radiance, auto&& giver) {
                           add(path, path.bounces + 1, lit, path.throughput * radiance, giver);
                         });
   }
 
-  static Rgb weighted_f(const Vec3& wo, const Bsdf& bsdf, const LightSample& sample) {
+  static Spectrum weighted_f(const Vec3& wo, const Bsdf& bsdf, const LightSample& sample) {
     const LobeSet all = bsdf.all_lobes();
-    const Rgb f = bsdf.evaluate(wo, sample.lit.wi, Transport::radiance, all);
+    const Spectrum f = bsdf.evaluate(wo, sample.lit.wi, Transport::radiance, all);
     if (is_black(f) || !(sample.pdf_w > 0)) return f;
     return f * balance(sample.pdf_w, bsdf.pdf_w(wo, sample.lit.wi, Transport::radiance, all));
   }
@@ -152,9 +152,11 @@ class PathTracer {
 
   /// Adds light. `giver` returns its source: the light if the radiance is finite, else the one to blame.
   template <class WhoGave>
-  void add(const CameraPath& path, int scatterings, FrameSet frames, const Rgb& radiance, WhoGave&& giver) {
+  void add(const CameraPath& path, int scatterings, FrameSet frames, const Spectrum& radiance, WhoGave&& giver) {
     if (is_light(radiance))
-      return out_.add({frames, radiance, path.pixel, light_of(giver()), path.caught, path.of_media}, scatterings);
+      return out_.add(
+          {frames, scene_.palette->seen(radiance), path.pixel, light_of(giver()), path.caught, path.of_media},
+          scatterings);
     reject(path, frames, giver());
   }
   void reject(const CameraPath& path, FrameSet frames, const SceneElement& giver) {

@@ -8,7 +8,7 @@
 // Parameters: see make_photonmap below.
 #include <fmt/format.h>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
@@ -155,8 +155,9 @@ class PhotonMapper final : public SummingIntegrator {
   void iterate(const Iteration& iteration) override {
     const auto number = static_cast<std::uint64_t>(iteration.number);
     done_.advance([&](SeenLightSums& sums, Statistics& statistics) {
-      // Maps show one time of the shutter, so while it is open each iteration has maps of its own.
-      if (!has_maps_ || iteration.delay) make_maps(iteration.scene, iteration.delay ? number : 0, statistics);
+      // Maps show one time of the shutter, and light of some wavelengths: iterations that have their own have own maps.
+      const bool has_own = iteration.delay || !iteration.scene.palette->is_rgb();
+      if (!has_maps_ || has_own) make_maps(iteration.scene, has_own ? number : 0, statistics);
       trace_camera_paths(iteration.scene, number, statistics);
       gather_tiles(iteration.scene, number, sums, statistics);
     });
@@ -209,16 +210,17 @@ class PhotonMapper final : public SummingIntegrator {
 
   void gather_tile(const Scene& scene, const HitPointTile& tile, std::uint64_t iteration, SeenLightSums& sums,
                    TileCounts& counts) const {
-    const auto add = [&](const HitPoint& hit, FrameSet frames, const Rgb& radiance, int group) {
-      const SeenLight light{frames, radiance, hit.pixel, -1, hit.caught};
+    const auto add = [&](const HitPoint& hit, FrameSet frames, const Spectrum& radiance, int group) {
+      const SeenLight light{frames, tile.palette->seen(radiance), hit.pixel, -1, hit.caught};
       if (group == LightGroups::kNone)
         sums.add(light);
       else if (!hit.caught)
         sums.add_to_part(light, group);
     };
     const auto estimate = [&](const HitPoint& hit, const PhotonMap& map, const RadianceEstimate& how) {
-      estimate_radiance(hit, tile.scattering_of(hit), map, how, counts.gather,
-                        [&](FrameSet frames, const Rgb& radiance, int group) { add(hit, frames, radiance, group); });
+      estimate_radiance(
+          hit, tile.scattering_of(hit), map, how, counts.gather,
+          [&](FrameSet frames, const Spectrum& radiance, int group) { add(hit, frames, radiance, group); });
     };
     FinalGather final_gather(scene, render_, {settings_.final_gather, settings_.least_alpha, settings_.max_depth},
                              global_, global_how_, counts.gather, counts.paths, add);
@@ -241,15 +243,17 @@ class PhotonMapper final : public SummingIntegrator {
 
   /// Adds what media scatter along a beam, and its parts by groups of lights.
   void see_along(const CameraBeam& beam, const HitPointTile& tile, SeenLightSums& sums, GatherCounts& counts) const {
-    const auto light_of = [&](FrameSet frames, const Rgb& radiance) {
-      return SeenLight{frames, radiance / static_cast<float>(settings_.photons), beam.pixel, -1, beam.caught};
+    const auto light_of = [&](FrameSet frames, const Spectrum& radiance) {
+      return SeenLight{frames, tile.palette->seen(radiance) / static_cast<float>(settings_.photons), beam.pixel, -1,
+                       beam.caught};
     };
     gather_beam(
         beam, tile, in_media_, 1, counts, [](int) { return true; },
-        [&](FrameSet frames, const Rgb& radiance) { sums.add(light_of(frames, radiance)); });
-    gather_beam_by_group(beam, tile, in_media_, 1, sums.groups(), [&](FrameSet frames, const Rgb& radiance, int group) {
-      sums.add_to_part(light_of(frames, radiance), group);
-    });
+        [&](FrameSet frames, const Spectrum& radiance) { sums.add(light_of(frames, radiance)); });
+    gather_beam_by_group(beam, tile, in_media_, 1, sums.groups(),
+                         [&](FrameSet frames, const Spectrum& radiance, int group) {
+                           sums.add_to_part(light_of(frames, radiance), group);
+                         });
   }
 
   /// Adds the photons within the largest radius: the nearest photons on a strip need not surround the point.
@@ -258,8 +262,8 @@ class PhotonMapper final : public SummingIntegrator {
     const float radius2 = caustic_how_.radius * caustic_how_.radius;
     const float size = kernel_size(radius2, static_cast<float>(caustic_how_.emitted));
     gather_hidden_by_group(hit, tile, hidden_, radius2, counts,
-                           [&](const Strand*, FrameSet frames, RgbLanes flux, float, const auto& group) {
-                             const Rgb radiance = hit.throughput * flux.rgb() / size;
+                           [&](const Strand*, FrameSet frames, SpectrumLanes flux, float, const auto& group) {
+                             const Spectrum radiance = hit.throughput * flux.spectrum() / size;
                              add(hit, frames, radiance, LightGroups::kNone);
                              if (hidden_.on_surfaces.groups().count() > 0 && group() != LightGroups::kNone)
                                add(hit, frames, radiance, group());

@@ -8,7 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "dspm/base/colour/palette.h"
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum_lanes.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/params/params.h"
 #include "dspm/base/system/parallel.h"
@@ -20,13 +22,13 @@
 namespace dspm {
 namespace {
 
-PassSums gather_at_one(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map, float radius2,
+PassSums gather_at_one(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, float radius2,
                        GatherCounts& counts) {
   PassSums sums;
-  RgbLanes phi;
-  gather_photons(hit, scattering, map, radius2, counts,
-                 [&](const Strand*, FrameSet, RgbLanes flux, float) { ++sums.M, phi += flux; });
-  sums.phi = phi.rgb() * hit.throughput;
+  SpectrumLanes phi;
+  gather_photons(hit, tile.scattering_of(hit), map, radius2, counts,
+                 [&](const Strand*, FrameSet, SpectrumLanes flux, float) { ++sums.M, phi += flux; });
+  sums.phi = tile.palette->seen(phi.spectrum() * hit.throughput);
   return sums;
 }
 
@@ -48,7 +50,7 @@ class SppmHj09 final : public PixelEstimator {
   void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) override {
     const auto at = static_cast<std::size_t>(hit.pixel);
     pixels_[at].begin(hit.radius * hit.radius);
-    const PassSums sums = gather_at_one(hit, tile.scattering_of(hit), map, pixels_[at].R2, counts);
+    const PassSums sums = gather_at_one(hit, tile, map, pixels_[at].R2, counts);
     if (of_.batched)
       passes_[at] += sums;
     else
@@ -102,7 +104,7 @@ class SppmKz11 final : public PixelEstimator {
   void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) override {
     const float radius2 = search_radius2(hit);
     sums_[static_cast<std::size_t>(hit.pixel)] +=
-        gather_at_one(hit, tile.scattering_of(hit), map, radius2, counts).phi / kernel_size(radius2);
+        gather_at_one(hit, tile, map, radius2, counts).phi / kernel_size(radius2);
   }
 
   // Every iteration emits the same number of photons, so seen light is weighted by it and needs no separate sums.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frame_array.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
@@ -24,20 +24,17 @@ namespace {
 /// A point of a beam; `scattered` is sigma_s there, times what is left at the ray's origin, over the density of the draw.
 struct DrawnPoint {
   float t = 0;
-  Rgb scattered;
+  Spectrum scattered;
   float g = 0;
 };
 
 /// The part of a section in which there may be anything of the medium.
 class Segment {
  public:
-  Segment(const Ray& ray, const MediumSection& section)
-      : ray_(ray),
-        section_(section),
-        everywhere_(section.medium->everywhere()),
-        begin_(section.begin),
-        end_(section.end) {
+  Segment(const Ray& ray, const MediumSection& section, const Palette& palette)
+      : ray_(ray), section_(section), palette_(palette), begin_(section.begin), end_(section.end) {
     if (const auto extent = section.medium->extent()) clip(*extent);
+    if (const auto same = section.medium->everywhere()) everywhere_ = carried(*same, palette);
     if (!everywhere_) return;
     for (int c = 0; c < 3; ++c)
       if (everywhere_->sigma_s[c] > 0) colours_[count_++] = {everywhere_->sigma_t()[c], length()};
@@ -69,7 +66,7 @@ class Segment {
   }
   /// Returns a point that was drawn with that density.
   DrawnPoint at(float t, float density) const {
-    const MediumProperties here = everywhere_ ? *everywhere_ : section_.medium->at(ray_.at(t));
+    const CarriedMedium here = everywhere_ ? *everywhere_ : carried(section_.medium->at(ray_.at(t)), palette_);
     return {t, here.sigma_s * section_.left_at(t) / density, here.g};
   }
 
@@ -99,7 +96,8 @@ class Segment {
 
   const Ray& ray_;
   const MediumSection& section_;
-  const std::optional<MediumProperties> everywhere_;
+  const Palette& palette_;
+  std::optional<CarriedMedium> everywhere_;
   float begin_, end_;
   Exponential colours_[3];  // those that are scattered, if the medium is the same everywhere
   int count_ = 0;
@@ -109,7 +107,7 @@ class Segment {
 class LitSection {
  public:
   LitSection(const Scene& scene, const CameraPath& path, const MediumSection& section, HitPointWriter& out)
-      : scene_(scene), path_(path), bounce_(path.bounces + 1), segment_(path.ray, section), out_(out) {}
+      : scene_(scene), path_(path), bounce_(path.bounces + 1), segment_(path.ray, section, *scene.palette), out_(out) {}
 
   bool is_empty() const { return segment_.is_empty(); }
 
@@ -125,7 +123,7 @@ class LitSection {
           const float there = near ? samples_near(sample.scene_light) * near->density(drawn->t) : 0;
           return scattered(*drawn, sample.lit.wi) * balance(here, there);
         },
-        [&](FrameSet frames, const Rgb& radiance, auto&& giver) { out_.see(path_, frames, radiance, giver); });
+        [&](FrameSet frames, const Spectrum& radiance, auto&& giver) { out_.see(path_, frames, radiance, giver); });
   }
 
   /// Near each of a few lights, or one of many.
@@ -149,7 +147,7 @@ class LitSection {
         [&](const ChosenSample& chosen, FrameSet frames, auto&& see) {
           for_each_lit(points[static_cast<std::size_t>(chosen.number)], chosen.lit, frames, see);
         },
-        [&](FrameSet frames, const Rgb& radiance, auto&& giver) { out_.see(path_, frames, radiance, giver); });
+        [&](FrameSet frames, const Spectrum& radiance, auto&& giver) { out_.see(path_, frames, radiance, giver); });
   }
 
  private:
@@ -162,7 +160,7 @@ class LitSection {
     return near.is_empty() ? std::nullopt : std::optional(near);
   }
 
-  Rgb scattered(const DrawnPoint& point, const Vec3& wi) const {
+  Spectrum scattered(const DrawnPoint& point, const Vec3& wi) const {
     return point.scattered * HenyeyGreenstein(point.g).pdf_w(path_.ray.direction, wi);
   }
 
@@ -198,13 +196,14 @@ class LitSection {
       const auto lit = light.illuminate(p, path_.random.pair(bounce_, kLightPoint));
       if (!lit || !(density > 0)) return;
       const float here = samples_near(scene_light) * density, there = samples_where_it_scatters(scene_light, p, t);
-      const Rgb radiance = scattered(segment_.at(t, samples * density), lit->wi) * lit->radiance *
-                           (balance(here, there) / (lit->pdf_w > 0 ? lit->pdf_w : 1));
+      const Spectrum radiance = scattered(segment_.at(t, samples * density), lit->wi) *
+                                scene_.palette->light(lit->radiance) *
+                                (balance(here, there) / (lit->pdf_w > 0 ? lit->pdf_w : 1));
       const auto giver = [&] { return light_element(scene_, scene_light); };
       if (!is_light(radiance)) return out_.see(path_, common, radiance, giver);
       if (!(max_component(radiance) > 0)) return;
       if (is_told_by_a_ray(scene_, scene_light))
-        return for_each_lit(p, *lit, common, [&](FrameSet open, const Rgb& transmittance) {
+        return for_each_lit(p, *lit, common, [&](FrameSet open, const Spectrum& transmittance) {
           out_.see(path_, open, radiance * transmittance, giver);
         });
       const auto number = static_cast<int>(points.size());

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/integrators/transport/strand.h"
@@ -15,7 +15,7 @@ namespace dspm {
 struct CameraBeam {
   Ray ray;                   // from the camera path's last vertex or boundary
   float begin = 0, end = 0;  // the part of it, in one state of the medium
-  Rgb throughput;            // where the ray begins
+  Spectrum throughput;       // where the ray begins
   FrameSet frames;
   StrandList strands = 0;  // in the tile's table
   int pixel = 0;
@@ -26,8 +26,8 @@ struct CameraBeam {
   float radius = 0;                         // initial, where the ray begins: see HitPoint
   float spread = 0;                         // added to it per unit of length
   float least = 0, most = 0;                // what it is kept within
-  Rgb left;                                 // of light that has come from `begin` to the ray's origin
-  Rgb sigma_t;                              // if the medium is the same everywhere; else black
+  Spectrum left;                            // of light that has come from `begin` to the ray's origin
+  Spectrum sigma_t;                         // if the medium is the same everywhere; else black
   std::uint32_t first_step = 0, steps = 0;  // of the tile's, if it varies: see MediumSection
 
   float radius_at(float t) const { return std::clamp(std::abs(radius + spread * t), least, most); }

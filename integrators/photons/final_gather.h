@@ -1,7 +1,7 @@
 // Final gather: rays from a hit point into the scene, each ending in a photon map estimate. [Jensen 1996]
 #pragma once
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/integrators/photons/radiance_estimate.h"
 #include "dspm/integrators/tiles.h"
@@ -18,7 +18,7 @@ struct FinalGatherSettings {
   int max_depth = 5;  // scatterings of a gather ray before its estimate: in hair, all lobes are followed
 };
 
-/// Traces the gather rays of a tile. Reports their results to add(const HitPoint& from, FrameSet, const Rgb&, int
+/// Traces the gather rays of a tile. Reports their results to add(const HitPoint& from, FrameSet, const Spectrum&, int
 /// group), as estimate_radiance() does.
 template <class Add>
 class FinalGather {
@@ -97,8 +97,9 @@ class FinalGather {
                                 path.inside,
                                 point.ns,
                                 unbent_normal(point)};
-    estimate_radiance(hit, &scattering, map_, how_, counts_,
-                      [&](FrameSet frames, const Rgb& radiance, int group) { add_(hit, frames, radiance, group); });
+    estimate_radiance(hit, &scattering, map_, how_, counts_, [&](FrameSet frames, const Spectrum& radiance, int group) {
+      add_(hit, frames, radiance, group);
+    });
   }
 
   void scatter(GatherPath& path, const Vertex& vertex, const Bsdf& bsdf, LobeSet lobes) {

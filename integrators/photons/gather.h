@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "dspm/base/colour/rgb.h"
-#include "dspm/base/colour/rgb_lanes.h"
+#include "dspm/base/colour/spectrum.h"
+#include "dspm/base/colour/spectrum_lanes.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/system/parallel.h"
@@ -29,8 +29,8 @@ struct GatherCounts {
 
 /// The flux of photons as it is.
 struct AllColours {
-  static RgbLanes lanes(const GatheredPhoton& photon) { return photon.flux_lanes(); }
-  static const Rgb& rgb(const GatheredPhoton& photon) { return photon.flux; }
+  static SpectrumLanes lanes(const GatheredPhoton& photon) { return photon.flux_lanes(); }
+  static const Spectrum& spectrum(const GatheredPhoton& photon) { return photon.flux; }
 };
 
 /// The flux of photons some of which have one wavelength alone, as a hit point finds it: with the hue, unless its throughput or
@@ -38,14 +38,14 @@ struct AllColours {
 struct SomeOfOneWavelength {
   const HitPoint& hit;
   const Scattering* scattering;
-  RgbLanes hue;
+  SpectrumLanes hue;
 
-  RgbLanes lanes(const GatheredPhoton& photon) const {
+  SpectrumLanes lanes(const GatheredPhoton& photon) const {
     if (!photon.has_one_wavelength()) return photon.flux_lanes();
     const bool has_hue = hit.wavelength.alone || (scattering && scattering->bsdf->disperses(scattering->wo, photon.wi));
-    return photon.flux_lanes(has_hue ? RgbLanes(Rgb(1)) : hue);
+    return photon.flux_lanes(has_hue ? SpectrumLanes(Spectrum(1)) : hue);
   }
-  Rgb rgb(const GatheredPhoton& photon) const { return lanes(photon).rgb(); }
+  Spectrum spectrum(const GatheredPhoton& photon) const { return lanes(photon).spectrum(); }
 };
 
 template <class Flux, class Fn>
@@ -72,17 +72,17 @@ void gather_flux(const HitPoint& hit, const Scattering* scattering, const Photon
           if (scattering->transmits ? !surface.counts(details.p(), photon.wi, details.face())
                                     : !(dot(photon.wi, hit.ng) > 0))
             return;
-          const Rgb flux = flux_of.rgb(photon) * scattering->scattered(photon.wi);
+          const Spectrum flux = flux_of.spectrum(photon) * scattering->scattered(photon.wi);
           if (!is_light(flux))
             counts.rejections.add({SceneElement::Kind::material, scattering->material}, frames, hit.pixel);
-          fn(strands_of(photon), frames, RgbLanes(is_light(flux) ? flux : Rgb()), distance2,
+          fn(strands_of(photon), frames, SpectrumLanes(is_light(flux) ? flux : Spectrum()), distance2,
              [&] { return details.group(); });
         });
   }
   counts.found += within;
 }
 
-/// Calls fn(strands, frames, flux times f as RgbLanes, distance squared, group) for every photon within sqrt(radius2)
+/// Calls fn(strands, frames, flux times f as SpectrumLanes, distance squared, group) for every photon within sqrt(radius2)
 /// that counts for the hit point in some frame: photons arriving at the back of the surface do not, unless its lobes
 /// transmit, and then only those of the same surface. The caller applies the throughput and the photon's strands, which
 /// are mostly null. For group(), see PhotonMap.
@@ -90,8 +90,8 @@ template <class Fn>
 void gather_by_group(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map, float radius2,
                      GatherCounts& counts, Fn&& fn) {
   if (map.only_nm() == 0) return gather_flux(hit, scattering, map, radius2, counts, AllColours{}, fn);
-  gather_flux(hit, scattering, map, radius2, counts, SomeOfOneWavelength{hit, scattering, RgbLanes(hue(map.only_nm()))},
-              fn);
+  gather_flux(hit, scattering, map, radius2, counts,
+              SomeOfOneWavelength{hit, scattering, SpectrumLanes(hue(map.only_nm()))}, fn);
 }
 
 /// Calls fn without the group; otherwise the same as gather_by_group().
@@ -99,7 +99,7 @@ template <class Fn>
 void gather_photons(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map, float radius2,
                     GatherCounts& counts, Fn&& fn) {
   gather_by_group(hit, scattering, map, radius2, counts,
-                  [&fn](const Strand* strands, FrameSet frames, RgbLanes flux, float distance2, auto) {
+                  [&fn](const Strand* strands, FrameSet frames, SpectrumLanes flux, float distance2, auto) {
                     fn(strands, frames, flux, distance2);
                   });
 }
@@ -118,43 +118,43 @@ class GatheredFlux {
   GatheredFlux(const HitPoint& hit, const PhotonMap& map) : frames_(hit.frames), map_(map) {}
 
   /// Adds what gather_photons() reports of a photon; `frames` may be fewer.
-  void add(const Strand* strands, FrameSet frames, RgbLanes flux) {
+  void add(const Strand* strands, FrameSet frames, SpectrumLanes flux) {
     if (strands == nullptr && frames == frames_)
       shared_ += flux;
     else if (strands == nullptr)
       add_own(frames, flux);
-    else if (RgbLanes* sum = frames == frames_ && map_.is_of_light(strands) ? lists_.of(strands) : nullptr)
+    else if (SpectrumLanes* sum = frames == frames_ && map_.is_of_light(strands) ? lists_.of(strands) : nullptr)
       *sum += flux;
     else
       add_strands(strands, frames, flux);
   }
   /// Call this after the last photon and before reading the sums.
   void end() {
-    lists_.for_each([&](const Strand* list, RgbLanes flux) { add_strands(list, frames_, flux); });
+    lists_.for_each([&](const Strand* list, SpectrumLanes flux) { add_strands(list, frames_, flux); });
   }
 
-  Rgb shared() const { return shared_.rgb(); }
+  Spectrum shared() const { return shared_.spectrum(); }
   /// The frames that received more than shared().
   FrameSet with_own() const { return with_own_; }
-  Rgb own(Frame frame) const { return RgbLanes(own_[frame]).rgb(); }
-  Rgb in(Frame frame) const { return with_own_.contains(frame) ? shared() + own(frame) : shared(); }
+  Spectrum own(Frame frame) const { return SpectrumLanes(own_[frame]).spectrum(); }
+  Spectrum in(Frame frame) const { return with_own_.contains(frame) ? shared() + own(frame) : shared(); }
 
  private:
-  void add_own(FrameSet frames, RgbLanes flux) {
+  void add_own(FrameSet frames, SpectrumLanes flux) {
     (frames - with_own_).for_each([&](Frame f) { own_[f] = _mm_setzero_ps(); });
     with_own_ |= frames;
     frames.for_each([&](Frame f) { own_[f] = _mm_add_ps(own_[f], flux.lanes); });
   }
-  void add_strands(const Strand* strands, FrameSet frames, RgbLanes flux) {
-    for_each_strand(strands, frames, [&](FrameSet alike, const Rgb& weight) {
-      add_own(alike, RgbLanes(_mm_mul_ps(flux.lanes, RgbLanes(weight).lanes)));
+  void add_strands(const Strand* strands, FrameSet frames, SpectrumLanes flux) {
+    for_each_strand(strands, frames, [&](FrameSet alike, const Spectrum& weight) {
+      add_own(alike, SpectrumLanes(_mm_mul_ps(flux.lanes, SpectrumLanes(weight).lanes)));
     });
   }
 
   FrameSet frames_;
   const PhotonMap& map_;
-  RgbLanes shared_;
-  FewListSums<RgbLanes> lists_;
+  SpectrumLanes shared_;
+  FewListSums<SpectrumLanes> lists_;
   FrameSet with_own_;
   __m128 own_[kMaxFrames];  // valid only for the frames in with_own_
 };

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/integrators/light_groups.h"
 #include "dspm/integrators/photons/gather.h"
@@ -20,11 +20,11 @@ void gather_beam(const CameraBeam& beam, const HitPointTile& tile, const MediumP
                  GatherCounts& counts, Wanted&& wanted, Fn&& fn) {
   counts.gathers.add(beam.frames.count());
   SharedCount within;
-  Rgb shared;
-  std::array<Rgb, kMaxFrames> own;
+  Spectrum shared;
+  std::array<Spectrum, kMaxFrames> own;
   FrameSet with_shared, with_own;
   const MediumSection section = tile.section_of(beam);
-  const auto add = [&](FrameSet frames, const Rgb& radiance) {
+  const auto add = [&](FrameSet frames, const Spectrum& radiance) {
     if (frames == beam.frames) return with_shared = frames, static_cast<void>(shared += radiance);
     (frames - with_own).for_each([&](Frame f) { own[static_cast<std::size_t>(f)] = {}; });
     with_own |= frames;
@@ -36,13 +36,14 @@ void gather_beam(const CameraBeam& beam, const HitPointTile& tile, const MediumP
     within.add(frames.count());
     if (frames.empty() || !wanted(photon.light)) return;
     const float phase = photon.phase.pdf_w(photon.w, -beam.ray.direction);
-    const Rgb radiance = photon.flux * hue_of_found(photon.only_nm, beam.is_alone) * section.left_at(distance) *
-                         (phase / kernel_size(radius2));
-    for_each_strand(found.strands, frames, [&](FrameSet alike, const Rgb& weight) { add(alike, radiance * weight); });
+    const Spectrum radiance = photon.flux * hue_of_found(photon.only_nm, beam.is_alone) * section.left_at(distance) *
+                              (phase / kernel_size(radius2));
+    for_each_strand(found.strands, frames,
+                    [&](FrameSet alike, const Spectrum& weight) { add(alike, radiance * weight); });
   });
   counts.found += within;
-  for_each_strand(tile.strands.of(beam.strands), with_shared | with_own, [&](FrameSet alike, const Rgb& weight) {
-    const Rgb factor = beam.throughput * weight;
+  for_each_strand(tile.strands.of(beam.strands), with_shared | with_own, [&](FrameSet alike, const Spectrum& weight) {
+    const Spectrum factor = beam.throughput * weight;
     if (const FrameSet others = (alike & with_shared) - with_own; !others.empty()) fn(others, shared * factor);
     (alike & with_own).for_each([&](Frame f) {
       fn(FrameSet::single(f), (shared + own[static_cast<std::size_t>(f)]) * factor);
@@ -59,7 +60,7 @@ void gather_beam_by_group(const CameraBeam& beam, const HitPointTile& tile, cons
     const bool all = beam.of_media && group == groups.of_media();
     gather_beam(
         beam, tile, photons, scale, not_counted, [&](int light) { return all || groups.of_light(light) == group; },
-        [&](FrameSet frames, const Rgb& radiance) { fn(frames, radiance, group); });
+        [&](FrameSet frames, const Spectrum& radiance) { fn(frames, radiance, group); });
   }
 }
 

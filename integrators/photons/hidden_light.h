@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/integrators/photons/curve_photons.h"
 #include "dspm/integrators/photons/gather.h"
@@ -37,13 +37,13 @@ void gather_on_curve(const HitPoint& hit, const Scattering& scattering, const Hi
     const FrameSet frames = photon.frames & hit.frames;
     within.add(frames.count());
     if (frames.empty()) return;
-    const Rgb f = scattering.bsdf->evaluate(scattering.wo, photon.wi, Transport::radiance, scattering.lobes);
+    const Spectrum f = scattering.bsdf->evaluate(scattering.wo, photon.wi, Transport::radiance, scattering.lobes);
     const bool has_hue = hit.wavelength.alone || scattering.bsdf->disperses(scattering.wo, photon.wi);
     const float share = irradiance * std::abs(dot(photon.wi, strip.ns)) * kernel_size(radius2);
-    const Rgb flux = photon.flux * hue_of_found(photon.only_nm, has_hue) * f * share;
+    const Spectrum flux = photon.flux * hue_of_found(photon.only_nm, has_hue) * f * share;
     if (!is_light(flux))
       return counts.rejections.add({SceneElement::Kind::material, scattering.material}, frames, hit.pixel);
-    fn(strands, frames, RgbLanes(flux), 0.f, group);
+    fn(strands, frames, SpectrumLanes(flux), 0.f, group);
   };
   counts.tests += photons.for_each_within(strip.place, std::sqrt(radius2), add);
   counts.found += within;
@@ -64,19 +64,19 @@ void gather_hidden_by_group(const HitPoint& hit, const HitPointTile& tile, const
 template <class Fn>
 void gather_hidden(const HitPoint& hit, const HitPointTile& tile, const HiddenPhotons& hidden, float radius2,
                    GatherCounts& counts, Fn&& fn) {
-  std::array<Rgb, kMaxFrames> flux;
+  std::array<Spectrum, kMaxFrames> flux;
   FrameSet lit;
   gather_hidden_by_group(
       hit, tile, hidden, radius2, counts,
-      [&](const Strand* strands, FrameSet frames, RgbLanes photon, float, const auto&) {
-        for_each_strand(strands, frames, [&](FrameSet alike, const Rgb& weight) {
+      [&](const Strand* strands, FrameSet frames, SpectrumLanes photon, float, const auto&) {
+        for_each_strand(strands, frames, [&](FrameSet alike, const Spectrum& weight) {
           (alike - lit).for_each([&](Frame f) { flux[static_cast<std::size_t>(f)] = {}; });
           lit |= alike;
-          alike.for_each([&](Frame f) { flux[static_cast<std::size_t>(f)] += photon.rgb() * weight; });
+          alike.for_each([&](Frame f) { flux[static_cast<std::size_t>(f)] += photon.spectrum() * weight; });
         });
       });
-  const Rgb per_area = hit.throughput / kernel_size(radius2);
-  for_each_strand(tile.strands.of(hit.strands), lit, [&](FrameSet alike, const Rgb& weight) {
+  const Spectrum per_area = hit.throughput / kernel_size(radius2);
+  for_each_strand(tile.strands.of(hit.strands), lit, [&](FrameSet alike, const Spectrum& weight) {
     alike.for_each([&](Frame f) { fn(FrameSet::single(f), flux[static_cast<std::size_t>(f)] * per_area * weight); });
   });
 }

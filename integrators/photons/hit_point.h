@@ -2,7 +2,7 @@
 // gather.h reads them. [WG12 4.1]
 #pragma once
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/colour/wavelength.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/vec.h"
@@ -13,8 +13,9 @@ namespace dspm {
 
 struct HitPoint {
   Vec3 p;
-  Vec3 ng;         // on the camera path's side
-  Rgb throughput;  // of the path, divided by the probability that it ended here; times f if there is no `scattering`
+  Vec3 ng;  // on the camera path's side
+  Spectrum
+      throughput;  // of the path, divided by the probability that it ended here; times f if there is no `scattering`
   ShapeFace face;  // the one that the camera path has reached
   FrameSet frames;
   float radius;                // initial: the scene's, or from the pixel's footprint

@@ -1,6 +1,6 @@
 #include "dspm/integrators/photons/hit_point_light.h"
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frame_array.h"
 #include "dspm/integrators/photons/direct_balance.h"
 #include "dspm/integrators/transport/balance.h"
@@ -57,16 +57,16 @@ class RoughWeight {
   float weight_ = -1;
 };
 
-Rgb by_rough_lobes(const Vertex& vertex, const Lit& lit, const LightSample& sample, RoughWeight& weight) {
+Spectrum by_rough_lobes(const Vertex& vertex, const Lit& lit, const LightSample& sample, RoughWeight& weight) {
   if (lit.rough == 0) return {};
-  const Rgb f = lit.bsdf->evaluate(vertex.wo, sample.lit.wi, Transport::radiance, lit.rough);
+  const Spectrum f = lit.bsdf->evaluate(vertex.wo, sample.lit.wi, Transport::radiance, lit.rough);
   return is_black(f) ? f : f * weight();
 }
 
 /// Returns f of a light's sample, weighted against rays that smooth lobes scatter if they are chosen.
-Rgb by_glossy_lobes(const Vertex& vertex, const Lit& lit, const LightSample& sample) {
+Spectrum by_glossy_lobes(const Vertex& vertex, const Lit& lit, const LightSample& sample) {
   if (lit.glossy == 0) return {};
-  const Rgb f = lit.bsdf->evaluate(vertex.wo, sample.lit.wi, Transport::radiance, lit.glossy);
+  const Spectrum f = lit.bsdf->evaluate(vertex.wo, sample.lit.wi, Transport::radiance, lit.glossy);
   if (is_black(f) || !(sample.pdf_w > 0)) return f;
   return f *
          balance(sample.pdf_w, lit.chance * lit.bsdf->pdf_w(vertex.wo, sample.lit.wi, Transport::radiance, lit.smooth));
@@ -101,7 +101,7 @@ void HitPointLight::add(const CameraPath& path, const Vertex& vertex, std::span<
   };
   sample_direct_light(
       scene_, path, vertex, frames, out_.paths(), scattered,
-      [&](FrameSet seeing, const Rgb& radiance, auto&& giver) { out_.see(path, seeing, radiance, giver); },
+      [&](FrameSet seeing, const Spectrum& radiance, auto&& giver) { out_.see(path, seeing, radiance, giver); },
       settings_.sample_direct ? DeltaLights::each : DeltaLights::chosen);
 }
 

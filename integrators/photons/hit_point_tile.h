@@ -4,7 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/palette.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/integrators/photons/camera_beam.h"
 #include "dspm/integrators/photons/hit_point.h"
@@ -31,11 +32,11 @@ struct Scattering {
 
   /// Returns what a photon from wi gives, per flux. Its flux counts by the normal that its shape has there. The relief
   /// is that of the hit point: it bends f as well, and within the radius normals may differ as much as they like.
-  Rgb scattered(const Vec3& wi) const {
-    const Rgb f = bsdf->evaluate(wo, wi, Transport::radiance, lobes);
+  Spectrum scattered(const Vec3& wi) const {
+    const Spectrum f = bsdf->evaluate(wo, wi, Transport::radiance, lobes);
     if (ns == unbent_ns) return f;
     const float unbent = dot(wi, unbent_ns);
-    return unbent == 0 ? Rgb() : f * std::abs(dot(wi, ns) / unbent);
+    return unbent == 0 ? Spectrum() : f * std::abs(dot(wi, ns) / unbent);
   }
 };
 
@@ -55,7 +56,8 @@ struct HitPointTile {
   std::vector<MediumStep> steps;  // of the beams
   StrandTable strands;
   std::vector<SeenLight> seen;
-  double radii_in_pixels = 0;  // the sum over hit points of initial radius over pixel spacing
+  const Palette* palette = &Palette::rgb();  // of the iteration
+  double radii_in_pixels = 0;                // the sum over hit points of initial radius over pixel spacing
   PathCounts paths;
   Rejections rejections;
 

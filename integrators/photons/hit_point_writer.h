@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/integrators/photons/trace_hit_points.h"
@@ -27,11 +27,12 @@ class HitPointWriter {
   /// Adds light that the path sees. `giver` returns its source: the light if the radiance is finite, else the one to
   /// blame.
   template <class WhoGave>
-  void see(const CameraPath& path, FrameSet frames, const Rgb& radiance, WhoGave&& giver) {
-    for_each_strand(tile_.strands.of(path.strands), frames, [&](FrameSet alike, const Rgb& weight) {
-      const Rgb seen = path.throughput * weight * radiance;
+  void see(const CameraPath& path, FrameSet frames, const Spectrum& radiance, WhoGave&& giver) {
+    for_each_strand(tile_.strands.of(path.strands), frames, [&](FrameSet alike, const Spectrum& weight) {
+      const Spectrum seen = path.throughput * weight * radiance;
       if (!is_light(seen)) return reject(path, alike, giver());
-      tile_.seen.push_back({alike, seen, path.pixel, light_of(giver()), path.caught, path.of_media});
+      tile_.seen.push_back(
+          {alike, scene_.palette->seen(seen), path.pixel, light_of(giver()), path.caught, path.of_media});
     });
   }
 
@@ -39,7 +40,7 @@ class HitPointWriter {
     tile_.rejections.add(giver, frames, path.pixel);
   }
 
-  Rgb if_finite(const Rgb& carried, const CameraPath& path, const Vertex& vertex, FrameSet frames) {
+  Spectrum if_finite(const Spectrum& carried, const CameraPath& path, const Vertex& vertex, FrameSet frames) {
     if (is_light(carried)) return carried;
     reject(path, frames, vertex.material_element());
     return {};
@@ -51,12 +52,12 @@ class HitPointWriter {
   bool carry(CameraPath& path, const Vertex& vertex, std::span<const FrameFactor> factors, ByRatio by_ratio,
              Keep&& keep) {
     return multiply(path, factors, tile_.strands, by_ratio,
-                    [&](StrandList, FrameSet frames, const Rgb&, const Rgb& product) {
+                    [&](StrandList, FrameSet frames, const Spectrum&, const Spectrum& product) {
                       return keep(if_finite(product, path, vertex, frames));
                     });
   }
   bool carry(CameraPath& path, const Vertex& vertex, std::span<const FrameFactor> factors) {
-    return carry(path, vertex, factors, ByRatio::yes, [](const Rgb& product) { return product; });
+    return carry(path, vertex, factors, ByRatio::yes, [](const Spectrum& product) { return product; });
   }
 
   /// Adds a hit point. `bsdf` is null if f is constant and among the factors.

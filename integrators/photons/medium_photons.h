@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/integrators/photons/camera_beam.h"
@@ -20,8 +20,8 @@ struct PhotonTrace;
 /// A photon where it is scattered by a medium.
 struct MediumPhoton {
   Vec3 p;
-  Vec3 w;    // its direction before
-  Rgb flux;  // in W, of what is scattered
+  Vec3 w;         // its direction before
+  Spectrum flux;  // in W, of what is scattered
   HenyeyGreenstein phase;
   FrameSet frames;
   StrandList strands = 0;    // in its trace's table

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "dspm/base/colour/rgb.h"
-#include "dspm/base/colour/rgb_lanes.h"
+#include "dspm/base/colour/spectrum.h"
+#include "dspm/base/colour/spectrum_lanes.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/integrators/transport/shape_face.h"
@@ -18,7 +18,7 @@ struct Photon {
   Vec3 p;
   ShapeFace face;  // the one that it has reached
   Vec3 wi;         // towards where it came from, unit length
-  Rgb flux;        // in W; includes its surface's |cos(wi, ns) / cos(wi, ng)|, so that a gather needs no cosine
+  Spectrum flux;   // in W; includes its surface's |cos(wi, ns) / cos(wi, ng)|, so that a gather needs no cosine
   FrameSet frames;
   StrandList strands = 0;  // in its trace's table: factors to the flux by frame, if they differ
   int light = -1;          // the light that it comes from: an index of the scene
@@ -30,7 +30,7 @@ struct Photon {
 /// four; the fourth, bytes of the next member, is ignored.
 struct alignas(32) GatheredPhoton {
   Vec3 wi;
-  Rgb flux;  // with its signs reversed if the photon has one wavelength alone
+  Spectrum flux;  // with its signs reversed if the photon has one wavelength alone
   FrameSet frames;
 
   GatheredPhoton() = default;
@@ -38,12 +38,12 @@ struct alignas(32) GatheredPhoton {
       : wi(photon.wi), flux(photon.only_nm == 0 ? photon.flux : -1 * photon.flux), frames(photon.frames) {}
 
   __m128 wi_lanes() const { return _mm_load_ps(&wi.x); }
-  bool has_one_wavelength() const { return std::signbit(flux.r); }
+  bool has_one_wavelength() const { return std::signbit(flux[0]); }
   /// Of a photon of all colours.
-  RgbLanes flux_lanes() const { return RgbLanes(_mm_loadu_ps(&flux.r)); }
+  SpectrumLanes flux_lanes() const { return SpectrumLanes(_mm_loadu_ps(&flux.v[0])); }
   /// Of one that has one wavelength, if it has this hue.
-  RgbLanes flux_lanes(RgbLanes hue) const {
-    return RgbLanes(_mm_mul_ps(_mm_andnot_ps(_mm_set1_ps(-0.f), flux_lanes().lanes), hue.lanes));
+  SpectrumLanes flux_lanes(SpectrumLanes hue) const {
+    return SpectrumLanes(_mm_mul_ps(_mm_andnot_ps(_mm_set1_ps(-0.f), flux_lanes().lanes), hue.lanes));
   }
 };
 static_assert(sizeof(GatheredPhoton) == 32);

@@ -1,7 +1,7 @@
 // Sums where the flux of photons goes, frame by frame: what lights emit is absorbed, escapes, or ends with its path.
 #pragma once
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/integrators/counters.h"
 #include "dspm/integrators/photons/trace_photons.h"
@@ -9,8 +9,8 @@
 
 namespace dspm {
 
-inline double sum(const Rgb& c) {
-  return static_cast<double>(c.r) + static_cast<double>(c.g) + static_cast<double>(c.b);
+inline double sum(const Spectrum& c) {
+  return static_cast<double>(c[0]) + static_cast<double>(c[1]) + static_cast<double>(c[2]);
 }
 
 /// The energy of the paths of one trace, whose lists of strands are those of the lights at that time.
@@ -21,8 +21,8 @@ class PhotonEnergy {
   }
 
   /// Adds a path's flux in these frames to `entry`.
-  void add(StrandList strands, const Rgb& flux, FrameSet frames, double EnergyBalance::*entry) {
-    change(strands, frames, [&](EnergyBalance& e, const Rgb& weight) { e.*entry += sum(flux * weight); });
+  void add(StrandList strands, const Spectrum& flux, FrameSet frames, double EnergyBalance::*entry) {
+    change(strands, frames, [&](EnergyBalance& e, const Spectrum& weight) { e.*entry += sum(flux * weight); });
   }
   /// Calls fn(balance, weight) for these frames. If all frames share a grey list of a light, the list has its own
   /// balance, which is distributed to the frames in the end.
@@ -30,8 +30,8 @@ class PhotonEnergy {
   void change(StrandList weights, FrameSet frames, Fn&& fn) {
     const Strand* list = trace_.strands.of(weights);
     if (frames == frames_ && weights < trace_.own_strands && (list == nullptr || list->grey))
-      return fn(of_list(weights), Rgb(1));
-    for_each_strand(list, frames, [&](FrameSet alike, const Rgb& weight) {
+      return fn(of_list(weights), Spectrum(1));
+    for_each_strand(list, frames, [&](FrameSet alike, const Spectrum& weight) {
       alike.for_each([&](Frame f) { fn(trace_.energy[static_cast<std::size_t>(f)], weight); });
     });
   }
@@ -40,9 +40,9 @@ class PhotonEnergy {
     for (StrandList list = 0; list < trace_.own_strands; ++list) {
       const EnergyBalance shared = of_list(list);
       if (shared == EnergyBalance{}) continue;
-      for_each_strand(trace_.strands.of(list), frames_, [&](FrameSet alike, const Rgb& grey) {
+      for_each_strand(trace_.strands.of(list), frames_, [&](FrameSet alike, const Spectrum& grey) {
         alike.for_each(
-            [&](Frame f) { trace_.energy[static_cast<std::size_t>(f)] += shared * static_cast<double>(grey.r); });
+            [&](Frame f) { trace_.energy[static_cast<std::size_t>(f)] += shared * static_cast<double>(grey[0]); });
       });
     }
     trace_.energy.resize(static_cast<std::size_t>(frames_.count()));

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/integrators/transport/body.h"
 
@@ -42,7 +42,7 @@ std::vector<PhotonStart> PhotonStarts::starts_of(const SceneLight& light, FrameS
   std::vector<PhotonStart> starts;
   if (!share_paths) {
     light.states.for_each(frames, [&](FrameSet common, const Light& state) {
-      starts.push_back({&state, common, Rgb(1), 0});
+      starts.push_back({&state, common, Spectrum(1), 0});
     });
     return starts;
   }
@@ -51,7 +51,7 @@ std::vector<PhotonStart> PhotonStarts::starts_of(const SceneLight& light, FrameS
     if (alike.factors.empty()) {
       FrameSet all;
       for (const auto& state : alike.states) all |= state.frames & frames;
-      if (!all.empty()) starts.push_back({&first, all, Rgb(1), 0, &alike});
+      if (!all.empty()) starts.push_back({&first, all, Spectrum(1), 0, &alike});
     } else {
       add(first, alike.factors, frames, starts);
     }
@@ -66,7 +66,7 @@ void PhotonStarts::add(const Light& light, std::span<const FrameFactor> factors,
     if (const FrameSet common = f.frames & frames; !common.empty() && !is_black(f.factor))
       strands.add(common, f.factor);
   if (strands.strands().empty()) return;
-  Rgb common;
+  Spectrum common;
   const StrandList list = strands_.add(strands, common);
   starts.push_back({&light, strands.frames(), common, list});
 }

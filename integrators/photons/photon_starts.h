@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/integrators/transport/path_step.h"
 #include "dspm/integrators/transport/strand.h"
@@ -16,7 +16,7 @@ namespace dspm {
 struct PhotonStart {
   const Light* light;
   FrameSet frames;
-  Rgb factor;  // of the light's flux
+  Spectrum factor;  // of the light's flux
   StrandList strands;
   const SceneLight::Alike* varied = nullptr;  // set if its weights depend on the photon's direction
   Inside inside = {};                         // the bodies in which the light lies, all of it

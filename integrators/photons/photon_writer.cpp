@@ -18,7 +18,7 @@ void PhotonWriter::store(std::vector<Photon>& photons, const PhotonPath& path, c
                          const Vertex& vertex, FrameSet frames) {
   const SurfacePoint& point = vertex.point;
   const Vec3& wi = vertex.wo;
-  Rgb flux = path.throughput;
+  Spectrum flux = path.throughput;
   if (const Vec3& ns = unbent_normal(point); !(ns == point.ng)) {
     // If the normals disagree about the side, every scattering function is zero.
     const float geometric = dot(wi, point.ng), shading = dot(wi, ns);
@@ -44,7 +44,7 @@ void PhotonWriter::store_in_medium(const PhotonPath& path, const PhotonOrigin& f
   if (path.kind == kDirectPhotons && found_by_rays) return;
   for (const MediumVertex::State& state : vertex.states) {
     const FrameSet frames = state.frames & path.frames;
-    Rgb flux = path.throughput * state.albedo;
+    Spectrum flux = path.throughput * state.albedo;
     if (frames.empty() || is_black(flux)) continue;
     const StrandList strands = trace_.strands.folded(path.strands, frames, flux);
     trace_.in_media.push_back({vertex.point, -vertex.wo, flux, state.phase, frames, strands, from.index, vertex.medium,
@@ -54,7 +54,7 @@ void PhotonWriter::store_in_medium(const PhotonPath& path, const PhotonOrigin& f
   }
 }
 
-Photon PhotonWriter::photon(const PhotonPath& path, const PhotonOrigin& from, const Vertex& vertex, Rgb flux,
+Photon PhotonWriter::photon(const PhotonPath& path, const PhotonOrigin& from, const Vertex& vertex, Spectrum flux,
                             FrameSet frames) {
   const StrandList strands = trace_.strands.folded(path.strands, frames, flux);
   const ShapeFace face(vertex.hit.shape, vertex.point.ng, vertex.wo);

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/integrators/photons/trace_photons.h"
 #include "dspm/integrators/transport/direct_light.h"
@@ -80,7 +80,7 @@ class PhotonWriter {
   void store(std::vector<Photon>& photons, const PhotonPath& path, const PhotonOrigin& from, const Vertex& vertex,
              FrameSet frames);
   void store_on_curve(const PhotonPath& path, const PhotonOrigin& from, const Vertex& vertex, FrameSet frames);
-  Photon photon(const PhotonPath& path, const PhotonOrigin& from, const Vertex& vertex, Rgb flux, FrameSet frames);
+  Photon photon(const PhotonPath& path, const PhotonOrigin& from, const Vertex& vertex, Spectrum flux, FrameSet frames);
   void count(const Photon& stored);
 
   const Scene& scene_;

@@ -28,12 +28,13 @@ std::vector<NearPhoton> near_photons(const HitPoint& hit, const Scattering* scat
   radius = how.nearest > 0 ? std::min(hit.radius, how.radius) : how.radius;
   while (true) {
     photons.clear();
-    gather_by_group(hit, scattering, map, radius * radius, counts,
-                    [&](const Strand* strands, FrameSet frames, RgbLanes flux, float distance2, auto group) {
-                      assert(strands == nullptr && "paths that part have none");
-                      static_cast<void>(strands);
-                      photons.push_back({distance2, has_groups ? group() : LightGroups::kNone, frames, flux.rgb()});
-                    });
+    gather_by_group(
+        hit, scattering, map, radius * radius, counts,
+        [&](const Strand* strands, FrameSet frames, SpectrumLanes flux, float distance2, auto group) {
+          assert(strands == nullptr && "paths that part have none");
+          static_cast<void>(strands);
+          photons.push_back({distance2, has_groups ? group() : LightGroups::kNone, frames, flux.spectrum()});
+        });
     if (how.nearest == 0 || radius >= how.radius || enough_for_all(photons, hit.frames, how.nearest)) break;
     radius = std::min(2 * radius, how.radius);
   }

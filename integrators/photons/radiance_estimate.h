@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/integrators/photons/gather.h"
 
@@ -29,7 +29,7 @@ struct NearPhoton {
   float distance2;
   int group;  // of lights; kNone: the map tells none apart
   FrameSet frames;
-  Rgb flux;  // times f
+  Spectrum flux;  // times f
 };
 
 /// Returns the photons around `hit`, nearest first, until every frame has `how.nearest` of them or the radius ends.
@@ -41,10 +41,10 @@ void estimate_radiance(const HitPoint& hit, const Scattering* scattering, const 
                        const RadianceEstimate& how, GatherCounts& counts, Fn&& fn) {
   float radius = how.radius;
   const std::vector<NearPhoton> photons = near_photons(hit, scattering, map, how, counts, radius);
-  std::vector<Rgb> parts(static_cast<std::size_t>(map.groups().count()));
+  std::vector<Spectrum> parts(static_cast<std::size_t>(map.groups().count()));
   const auto sum = [&](FrameSet frames) {
-    Rgb flux;
-    std::fill(parts.begin(), parts.end(), Rgb());
+    Spectrum flux;
+    std::fill(parts.begin(), parts.end(), Spectrum());
     int found = 0;
     float radius2 = radius * radius;
     for (const NearPhoton& photon : photons) {

@@ -35,7 +35,7 @@ LightSeen light_seen(const Emission& emission) {
 float seen_along(const Scene& scene, const PhotonPath& path, const PhotonOrigin& from, const Vertex& vertex,
                  const BsdfSample& sample) {
   return (path.bounces == 0 ? seen_at_once(scene, from, vertex, sample) : path.seen) *
-         std::min(1.f, luminance(sample.weight));
+         std::min(1.f, scene.palette->luminance(sample.weight));
 }
 
 }  // namespace dspm

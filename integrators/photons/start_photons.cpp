@@ -1,6 +1,6 @@
 #include "dspm/integrators/photons/start_photons.h"
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/integrators/photons/emission_guide.h"
@@ -28,7 +28,7 @@ void start_photons(const Scene& scene, const PhotonSettings& settings, const Pho
       if (!emission || is_black(emission->flux)) continue;
       if (light.glow.medium != kNoMedium && (frames = frames_in(light.glow, scene, emission->ray, frames)).empty())
         continue;
-      const Rgb flux = emission->flux * start.factor / chosen.density * settings.flux;
+      const Spectrum flux = scene.palette->light(emission->flux) * start.factor / chosen.density * settings.flux;
       PhotonPath path{{emission->ray, flux, frames}};
       path.start = static_cast<int>(started.size());
       path.random = random, path.strands = start.strands, path.inside = start.inside, path.wavelength = wavelength;

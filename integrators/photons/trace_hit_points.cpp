@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/vec.h"
@@ -35,15 +35,15 @@ struct End {
   FrameSet frames;
   LobeChoice choice;
   bool constant;  // whether f is, and so stored here; else the bsdf gives it
-  Rgb f;
+  Spectrum f;
   const Bsdf* bsdf;
 
-  std::optional<Rgb> along(const End& first) const {
+  std::optional<Spectrum> along(const End& first) const {
     if (constant != first.constant || choice.lobes != first.choice.lobes) return std::nullopt;
     if (constant) return f / choice.chance;
-    const auto ratio = this == &first ? Rgb(1) : bsdf->ratio_to(*first.bsdf, choice.lobes);
+    const auto ratio = this == &first ? Spectrum(1) : bsdf->ratio_to(*first.bsdf, choice.lobes);
     // Even if f is black, hj09 counts the photons.
-    if (!ratio || !(std::min({ratio->r, ratio->g, ratio->b}) > 0)) return std::nullopt;
+    if (!ratio || !(std::min({(*ratio)[0], (*ratio)[1], (*ratio)[2]}) > 0)) return std::nullopt;
     return *ratio / choice.chance;
   }
 };
@@ -95,7 +95,7 @@ class HitPointTracer {
   void escaped(const CameraPath& path, FrameSet frames) {
     if ((path.indirect && !path.looks) || (render_.transparent && path.bounces == 0)) return;
     for_each_escape(scene_, frames, path.ray, path.bounces,
-                    [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
+                    [&](FrameSet lit, const Spectrum& radiance, const SceneLight& scene_light, const Light& light) {
                       const float weight = path.looks
                                                ? light_.weight_of_scattered(path, scene_light, light,
                                                                             {{path.from, -path.ray.direction}, {}, -1})
@@ -127,8 +127,8 @@ class HitPointTracer {
       const HitPointLight::Surface surface{frames, &bsdf, choice};
       light_.add(arriving, vertex, {&surface, 1});
       if (choice.rough) {
-        end(vertex, bsdf, choice, [&](const std::optional<Rgb>& constant) {
-          const FrameFactor f{frames, constant.value_or(Rgb(1)) / choice.chance};
+        end(vertex, bsdf, choice, [&](const std::optional<Spectrum>& constant) {
+          const FrameFactor f{frames, constant.value_or(Spectrum(1)) / choice.chance};
           out_.add_hit_point(tile_.hit_points, arriving, vertex, {&f, 1}, constant ? nullptr : &bsdf, choice.lobes);
         });
         sample_further(arriving, vertex, bsdf, choice, [&](const BsdfSample& sample) {
@@ -145,14 +145,15 @@ class HitPointTracer {
   }
 
   void see_emission(const CameraPath& path, const Vertex& vertex) {
-    for_each_emission(scene_, vertex, vertex.frames, [&](FrameSet frames, const Rgb& radiance, const Light& light) {
-      const SceneLight& scene_light = scene_.lights[static_cast<std::size_t>(vertex.shape.light)];
-      const float weight =
-          path.looks ? light_.weight_of_scattered(path, scene_light, light,
-                                                  {{vertex.point.p, vertex.wo}, vertex.point.ng, vertex.hit.primitive})
-                     : weight_of_hit(scene_, path, vertex, light);
-      out_.see(path, frames, radiance * weight, [&] { return vertex.emitter_element(); });
-    });
+    for_each_emission(
+        scene_, vertex, vertex.frames, [&](FrameSet frames, const Spectrum& radiance, const Light& light) {
+          const SceneLight& scene_light = scene_.lights[static_cast<std::size_t>(vertex.shape.light)];
+          const float weight = path.looks ? light_.weight_of_scattered(
+                                                path, scene_light, light,
+                                                {{vertex.point.p, vertex.wo}, vertex.point.ng, vertex.hit.primitive})
+                                          : weight_of_hit(scene_, path, vertex, light);
+          out_.see(path, frames, radiance * weight, [&] { return vertex.emitter_element(); });
+        });
   }
 
   /// Scatters at a material that differs between the frames.
@@ -173,8 +174,8 @@ class HitPointTracer {
       CameraPath branch = path;
       branch.frames = frames;
       if (choice.rough) {
-        end(vertex, bsdf, choice, [&](const std::optional<Rgb>& constant) {
-          ends.add({frames, choice, constant.has_value(), constant.value_or(Rgb()), &bsdf});
+        end(vertex, bsdf, choice, [&](const std::optional<Spectrum>& constant) {
+          ends.add({frames, choice, constant.has_value(), constant.value_or(Spectrum()), &bsdf});
         });
         sample_further(branch, vertex, bsdf, choice, [&](const BsdfSample& sample) {
           leaving.add({frames, sample.weight / choice.chance, sample, true});
@@ -202,7 +203,7 @@ class HitPointTracer {
   /// can be gathered.
   template <class Fn>
   void end(const Vertex& vertex, const Bsdf& bsdf, const LobeChoice& choice, Fn&& fn) {
-    std::optional<Rgb> constant;
+    std::optional<Spectrum> constant;
     const bool is_bent = !(vertex.point.ns == unbent_normal(vertex.point));
     const bool has_another_side = bsdf.transmits(bsdf.all_lobes());
     if (!settings_.keep_bsdf && !is_bent && !has_another_side) constant = bsdf.lambertian(choice.lobes);
@@ -214,7 +215,7 @@ class HitPointTracer {
   void scatter(const CameraPath& path, const Vertex& vertex, const Bsdf& bsdf, const LobeChoice& choice, Fn&& fn) {
     // What point, spot and distant lights send through specular lobes is left to the photons stored for this purpose.
     const LobeSet glossy = choice.lobes & glossy_lobes(bsdf, vertex.point, settings_.least_alpha);
-    const FrameFactor f{path.frames, Rgb(1 / choice.chance)};
+    const FrameFactor f{path.frames, Spectrum(1 / choice.chance)};
     if (glossy != 0 && !path.indirect && has_hidden_)
       out_.add_hit_point(tile_.glossy, path, vertex, {&f, 1}, &bsdf, glossy);
     auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::radiance, choice.lobes);
@@ -259,9 +260,9 @@ class HitPointTracer {
   bool survives(CameraPath& branch, const CameraPath& path, const Vertex& vertex,
                 std::span<const FrameFactor> factors) {
     const float u = path.random.number(path.bounces, kRoulette);
-    const auto roulette = [&](const Rgb& after) {
+    const auto roulette = [&](const Spectrum& after) {
       const float p = roulette_chance(after, branch.eta_scale, path.bounces);
-      return p >= 1 ? after : u < p ? after * (1 / p) : Rgb();
+      return p >= 1 ? after : u < p ? after * (1 / p) : Spectrum();
     };
     const ByRatio by_ratio = path.bounces < kFirstRouletteBounce ? ByRatio::yes : ByRatio::no;
     return out_.carry(branch, vertex, factors, by_ratio, roulette);

@@ -1,6 +1,6 @@
 #include "dspm/integrators/photons/trace_photons.h"
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/system/parallel.h"
@@ -69,7 +69,7 @@ class PhotonTracer {
   bool weigh(PhotonPath& path, const SceneLight::Alike& alike, int index) {
     FrameArray<FrameFactor> weights;
     for (const auto& [frames, light] : alike.states) {
-      const Rgb weight = light->ratio_along(*alike.first, path.ray);
+      const Spectrum weight = scene_.palette->carried(light->ratio_along(*alike.first, path.ray));
       if (is_light(weight))
         weights.add({frames, weight});
       else
@@ -82,8 +82,9 @@ class PhotonTracer {
   StrandTable& strands() { return out_.strands; }
   void dimmed(const PhotonPath& before, const PhotonPath& after) {
     const auto add = [&](const PhotonPath& path, double sign) {
-      energy_.change(path.strands, path.frames,
-                     [&](EnergyBalance& e, const Rgb& weight) { e.absorbed += sign * sum(path.throughput * weight); });
+      energy_.change(path.strands, path.frames, [&](EnergyBalance& e, const Spectrum& weight) {
+        e.absorbed += sign * sum(path.throughput * weight);
+      });
     };
     add(before, 1), add(after, -1);
   }
@@ -96,7 +97,7 @@ class PhotonTracer {
   }
 
   void wandered(const PhotonPath& before, const PhotonPath& after) {
-    energy_.change(before.strands, after.frames, [&](EnergyBalance& e, const Rgb& weight) {
+    energy_.change(before.strands, after.frames, [&](EnergyBalance& e, const Spectrum& weight) {
       e.absorbed += sum(before.throughput * weight) - sum(after.throughput * weight);
     });
   }
@@ -131,7 +132,7 @@ class PhotonTracer {
     PhotonWriter::Stored stored = writer_.stored_on_mixes(path, vertex);
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
       writer_.add(stored, path, vertex, frames, bsdf);
-      scatter(path, vertex, frames, bsdf, [&](const BsdfSample& sample, bool rough, const Rgb& factor) {
+      scatter(path, vertex, frames, bsdf, [&](const BsdfSample& sample, bool rough, const Spectrum& factor) {
         const FrameFactor all{frames, factor};
         extend(path, vertex, sample, rough, {&all, 1});
       });
@@ -144,7 +145,7 @@ class PhotonTracer {
     FrameArray<Scattered> scattered;
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
       writer_.add(stored, path, vertex, frames, bsdf);
-      scatter(path, vertex, frames, bsdf, [&](const BsdfSample& sample, bool rough, const Rgb& factor) {
+      scatter(path, vertex, frames, bsdf, [&](const BsdfSample& sample, bool rough, const Spectrum& factor) {
         scattered.add({frames, factor, sample, rough});
       });
     });
@@ -184,18 +185,18 @@ class PhotonTracer {
 
   /// Multiplies by the factors, of `giver`. Returns whether the path survives in some of its frames.
   bool roulette(PhotonPath& path, const SceneElement& giver, std::span<const FrameFactor> factors, float u) {
-    const auto left = [&](StrandList weights, FrameSet frames, const Rgb& before, const Rgb& after) {
+    const auto left = [&](StrandList weights, FrameSet frames, const Spectrum& before, const Spectrum& after) {
       const bool valid = is_light(after);
       if (!valid) reject(frames, giver);
       const float p = valid ? std::min(1.f, max_component(after) / max_component(before)) : 0;
-      const Rgb surviving = p >= 1 ? after : u < p ? after * (1 / p) : Rgb();
+      const Spectrum surviving = p >= 1 ? after : u < p ? after * (1 / p) : Spectrum();
       EnergyBalance change;
       if (valid)
         change.absorbed = sum(before) - sum(after), change.roulette = sum(after) - sum(surviving);
       else
         change.terminated = sum(before);
       energy_.change(weights, frames,
-                     [&](EnergyBalance& e, const Rgb& grey) { e += change * static_cast<double>(grey.r); });
+                     [&](EnergyBalance& e, const Spectrum& grey) { e += change * static_cast<double>(grey[0]); });
       return surviving;
     };
     return multiply(path, factors, out_.strands, ByRatio::yes, left);

@@ -51,7 +51,7 @@ FrameArray<FrameFactor> left_within(const Scene& scene, const Inside& inside, Fr
   FrameArray<FrameFactor> left;
   for_each_nesting(scene, inside.bodies(), frames, [&](FrameSet common, std::span<const Material* const> bodies) {
     const Material* top = top_of(bodies);
-    left.add({common, top == nullptr ? Rgb(1) : left_after(top->absorption(), distance)});
+    left.add({common, top == nullptr ? Spectrum(1) : left_after(top->absorption(*scene.palette), distance)});
   });
   return left;
 }

@@ -3,7 +3,7 @@
 // knew.
 #pragma once
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frame_array.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
@@ -28,13 +28,13 @@ inline Ray beyond(const Ray& ray, const Vertex& vertex, float distance) {
 /// is not there does not block it.
 FrameSet open_frames(const Scene& scene, const Ray& segment, const Inside& inside, FrameSet frames);
 
-/// Calls fn(FrameSet, const Rgb& transmittance) for the frames in which nothing blocks the segment, which lies in these
+/// Calls fn(FrameSet, const Spectrum& transmittance) for the frames in which nothing blocks the segment, which lies in these
 /// bodies, in a scene without media.
 template <class Fn>
 void for_each_open(const Scene& scene, const Ray& segment, const Inside& inside, FrameSet frames, Fn&& fn) {
   const FrameSet open = open_frames(scene, segment, inside, frames);
   if (open.empty()) return;
-  if (inside.is_empty()) return fn(open, Rgb(1));
+  if (inside.is_empty()) return fn(open, Spectrum(1));
   for (const FrameFactor& left : left_within(scene, inside, open, segment.t_max)) fn(left.frames, left.factor);
 }
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/vec.h"
@@ -140,7 +140,7 @@ class BranchingPath {
     if (after.frames.empty()) return;
     bool stays = part.hit.missed();
     if (stays)
-      after.throughput *= is_lost(after.ray) ? Rgb() : after.walk.scatter(after.ray, after.random, after.bounces);
+      after.throughput *= is_lost(after.ray) ? Spectrum() : after.walk.scatter(after.ray, after.random, after.bounces);
     else
       after.throughput *= after.walk.reach(part.hit.t);
     if constexpr (requires { tracer.wandered(path, after); }) tracer.wandered(path, after);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/vec.h"
@@ -118,7 +118,7 @@ void start_camera_paths(const Scene& scene, const RenderSettings& render, int x,
     const Vec2 film = film_point(render, x, y, path.random), lens = path.random.pair(0, kLightDirection);
     const float weight = camera.weight(film, lens);
     if (!(weight > 0)) return;
-    path.throughput = Rgb(weight), path.eta_scale = weight;
+    path.throughput = Spectrum(weight), path.eta_scale = weight;
     path.ray = camera.ray(film, lens), path.camera = &camera;
     const auto begin = [&](FrameSet in, const Inside& inside) {
       path.frames = in, path.inside = inside;

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/integrators/statistics.h"
@@ -27,7 +27,7 @@ class ClearSight {
   template <class Rough, class Nothing>
   void follow(CameraPath path, const Vertex& first, Rough&& rough, Nothing&& nothing) {
     Tracer<Rough, Nothing> tracer{branches_, rough, nothing};
-    path.throughput = Rgb(1), path.wavelength = {};  // glass bends what is seen by its mean index
+    path.throughput = Spectrum(1), path.wavelength = {};  // glass bends what is seen by its mean index
     tracer.arrived(path, first);
     branches_.follow(tracer);
   }

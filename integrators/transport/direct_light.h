@@ -4,7 +4,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frame_array.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
@@ -89,11 +89,11 @@ struct ChosenSample {
   int number = -1;  // of the chosen one: none
   const SceneLight* light = nullptr;
   Illumination lit = {};
-  Rgb radiance = {};
+  Spectrum radiance = {};
 
   /// Weights are square roots of the radiance: light that is faint, but perhaps the only one in the open, has its
   /// chance.
-  void offer(int of, const SceneLight& scene_light, const Illumination& from, const Rgb& scattered) {
+  void offer(int of, const SceneLight& scene_light, const Illumination& from, const Spectrum& scattered) {
     const float offered = std::sqrt(max_component(scattered));
     sum += offered;
     const float chance = offered / sum;
@@ -124,7 +124,7 @@ void offer_to(FrameSet frames, FrameArray<ChosenSample>& choosing, Offer&& offer
 }
 
 /// Traces a shadow ray to each sample that was chosen, by for_each_lit(const ChosenSample&, FrameSet, see), and calls
-/// fn(FrameSet, const Rgb&, giver) as sample_direct_light() does.
+/// fn(FrameSet, const Spectrum&, giver) as sample_direct_light() does.
 template <class ForEachLit, class Fn>
 void see_chosen(const Scene& scene, FrameArray<ChosenSample>& choosing, ForEachLit&& for_each_lit, Fn&& fn) {
   for (std::size_t i = 0; i < choosing.size(); ++i) {
@@ -135,7 +135,7 @@ void see_chosen(const Scene& scene, FrameArray<ChosenSample>& choosing, ForEachL
     const auto is_same = [&](const ChosenSample& other) { return other.number == first.number; };
     for (const ChosenSample& chosen : choosing)
       if (is_same(chosen)) together |= chosen.frames;
-    for_each_lit(first, together, [&](FrameSet open, const Rgb& transmittance) {
+    for_each_lit(first, together, [&](FrameSet open, const Spectrum& transmittance) {
       for (const ChosenSample& chosen : choosing) {
         const FrameSet lit = chosen.frames & open;
         if (!is_same(chosen) || lit.empty()) continue;
@@ -166,7 +166,7 @@ inline Ray shadow_ray(const MediumVertex& vertex, const Illumination& light) {
   return {vertex.p(), light.wi, light.distance * kShortOfLight};
 }
 
-/// Calls take(FrameSet, const Rgb& f) with what a place scatters of a light's sample in these frames: `scattered` is a
+/// Calls take(FrameSet, const Spectrum& f) with what a place scatters of a light's sample in these frames: `scattered` is a
 /// function of the sample, if it scatters alike in all of them, or of (frames, sample, take).
 template <class ScatteringFunction, class Take>
 void for_each_scattered(FrameSet frames, const LightSample& sample, ScatteringFunction& scattered, Take&& take) {
@@ -177,7 +177,7 @@ void for_each_scattered(FrameSet frames, const LightSample& sample, ScatteringFu
 }
 
 /// Samples lights with the path's random numbers for its next bounce, traces a shadow ray to one of the samples and
-/// calls fn(FrameSet, const Rgb&, giver) with the radiance that the place, a Vertex or a MediumVertex, scatters back along
+/// calls fn(FrameSet, const Spectrum&, giver) with the radiance that the place, a Vertex or a MediumVertex, scatters back along
 /// the path, for those of `frames` in which nothing is in between. `scattered` gives f, weighted if other ways find the
 /// same light, to for_each_scattered(). Radiance that is negative or not finite is passed on; giver() then returns its
 /// source.
@@ -203,11 +203,12 @@ void sample_direct_light(const Scene& scene, const PathState& path, const Place&
       const auto lit = light.illuminate(place.p(), numbers);
       if (!lit) return;
       const float pdf_w = samples * lit->pdf_w, cosine = place.cosine(lit->wi);
+      const Spectrum carried = scene.palette->light(lit->radiance);
       FrameArray<FrameFactor> received;
-      const auto receive = [&](FrameSet alike, const Rgb& unprojected) {
-        const Rgb f = unprojected * cosine;
+      const auto receive = [&](FrameSet alike, const Spectrum& unprojected) {
+        const Spectrum f = unprojected * cosine;
         if (is_black(f)) return;
-        const Rgb radiance = f * lit->radiance / (pdf_w > 0 ? pdf_w : samples);
+        const Spectrum radiance = f * carried / (pdf_w > 0 ? pdf_w : samples);
         if (!is_light(radiance)) {
           const SceneElement giver = is_light(f) ? light_element(scene, scene_light) : place.scatterer();
           fn(alike, radiance, [&] { return giver; });
@@ -220,7 +221,7 @@ void sample_direct_light(const Scene& scene, const PathState& path, const Place&
       if (delta_lights == DeltaLights::each && is_told_by_a_ray(scene, scene_light)) {
         FrameSet receiving;
         for (const FrameFactor& r : received) receiving |= r.frames;
-        for_each_lit(*lit, receiving, [&](FrameSet open, const Rgb& transmittance) {
+        for_each_lit(*lit, receiving, [&](FrameSet open, const Spectrum& transmittance) {
           for (const FrameFactor& r : received)
             if (const FrameSet lit_frames = r.frames & open; !lit_frames.empty())
               fn(lit_frames, r.factor * transmittance, [&] { return light_element(scene, scene_light); });

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frame_array.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/integrators/transport/path_step.h"
@@ -15,11 +15,11 @@ namespace dspm {
 /// The way in which a path is scattered in some of its frames.
 struct Scattered {
   FrameSet frames;
-  Rgb factor;
+  Spectrum factor;
   BsdfSample sample;
   bool rough;  // a rough lobe was chosen
 
-  std::optional<Rgb> along(const Scattered& first) const {
+  std::optional<Spectrum> along(const Scattered& first) const {
     const BsdfSample& s = first.sample;
     const bool same = sample.wi == s.wi && sample.specular == s.specular && sample.eta_scale == s.eta_scale &&
                       sample.ahead == s.ahead && sample.by_wavelength == s.by_wavelength;
@@ -41,7 +41,7 @@ void for_each_joint(const FrameArray<Item>& items, bool join, Fn&& fn) {
     factors.add({items[i].frames, *items[i].along(items[i])});
     for (std::size_t j = i + 1; join && j < items.size(); ++j) {
       if ((joined >> j & 1) != 0) continue;
-      const std::optional<Rgb> factor = items[j].along(items[i]);
+      const std::optional<Spectrum> factor = items[j].along(items[i]);
       if (!factor) continue;
       joined |= std::uint64_t{1} << j;
       factors.add({items[j].frames, *factor});
@@ -55,12 +55,12 @@ template <class Left>
 [[gnu::noinline]] bool multiply_strands(PathState& path, std::span<const FrameFactor> factors, StrandTable& table,
                                         Left&& left) {
   Strands next;
-  for_each_strand(table.of(path.strands), path.frames, [&](FrameSet frames, const Rgb& weight) {
-    const Rgb before = path.throughput * weight;
+  for_each_strand(table.of(path.strands), path.frames, [&](FrameSet frames, const Spectrum& weight) {
+    const Spectrum before = path.throughput * weight;
     for (const FrameFactor& f : factors) {
       const FrameSet common = frames & f.frames;
       if (common.empty()) continue;
-      const Rgb after = left(StrandList{0}, common, before, before * f.factor);
+      const Spectrum after = left(StrandList{0}, common, before, before * f.factor);
       if (!is_black(after)) next.add(common, after);
     }
   });
@@ -90,6 +90,6 @@ bool multiply(PathState& path, std::span<const FrameFactor> factors, StrandTable
 }
 
 /// A `left` for multiply() that keeps all that remains.
-inline Rgb keep_all(StrandList, FrameSet, const Rgb&, const Rgb& after) { return after; }
+inline Spectrum keep_all(StrandList, FrameSet, const Spectrum&, const Spectrum& after) { return after; }
 
 }  // namespace dspm

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/integrators/transport/medium_boundary.h"
 
 namespace dspm {
@@ -15,13 +15,13 @@ class Passage {
  public:
   Passage(const Scene& scene, FrameArray<FrameFactor>& left) : scene_(scene), left_(left) {}
 
-  void follow(const Ray& ray, int medium, FrameSet frames, const Rgb& factor, const SegmentNumbers& numbers,
+  void follow(const Ray& ray, int medium, FrameSet frames, const Spectrum& factor, const SegmentNumbers& numbers,
               int boundaries) {
     for (const Meeting& meeting : boundaries_along(scene_, ray, frames)) {
       for_each_state(medium, meeting.frames, [&](FrameSet common, const Medium* state, const Majorants* majorants) {
         SegmentNumbers own = numbers;
         const float distance = meeting.is_boundary ? meeting.hit.t : ray.t_max;
-        const Rgb after = state == nullptr ? factor : factor * left_in(*state, *majorants, ray, distance, own);
+        const Spectrum after = state == nullptr ? factor : factor * left_in(*state, *majorants, ray, distance, own);
         if (is_black(after)) return;
         if (!meeting.is_boundary) return static_cast<void>(left_.add({common, after}));
         if (boundaries == kMostBoundaries) return;
@@ -42,10 +42,10 @@ class Passage {
     });
   }
 
-  Rgb left_in(const Medium& state, const Majorants& majorants, const Ray& ray, float distance,
-              SegmentNumbers& numbers) {
+  Spectrum left_in(const Medium& state, const Majorants& majorants, const Ray& ray, float distance,
+                   SegmentNumbers& numbers) {
     steps_.clear();
-    MediumPassage passage(state, majorants, ray, numbers, steps_);
+    MediumPassage passage(state, majorants, *scene_.palette, ray, numbers, steps_);
     passage.advance(distance);
     return passage.left();
   }
@@ -61,10 +61,10 @@ FrameArray<FrameFactor> left_in_media(const Scene& scene, const Ray& segment, in
                                       const SegmentNumbers& numbers) {
   FrameArray<FrameFactor> left;
   if (medium == kNoMedium && scene.boundaries == nullptr) {
-    left.add({frames, Rgb(1)});
+    left.add({frames, Spectrum(1)});
     return left;
   }
-  Passage(scene, left).follow(segment, medium, frames, Rgb(1), numbers, 0);
+  Passage(scene, left).follow(segment, medium, frames, Spectrum(1), numbers, 0);
   return left;
 }
 

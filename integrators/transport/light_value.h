@@ -1,11 +1,14 @@
 // Tests values that light can have, for any plugin.
 #pragma once
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 
 namespace dspm {
 
 /// Returns whether it can be radiance, flux or a factor to them: finite, and never negative.
-inline bool is_light(const Rgb& c) { return c.r >= 0 && c.g >= 0 && c.b >= 0 && is_finite(c); }
+template <Components T>
+bool is_light(const T& c) {
+  return c[0] >= 0 && c[1] >= 0 && c[2] >= 0 && is_finite(c);
+}
 
 }  // namespace dspm

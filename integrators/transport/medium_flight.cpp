@@ -8,7 +8,9 @@ namespace {
 
 constexpr int kColour = 1 << 19, kFirstFlight = kColour + 1;  // apart from the numbers of walks
 
-Rgb exp_minus(const Rgb& depth) { return {std::exp(-depth.r), std::exp(-depth.g), std::exp(-depth.b)}; }
+Spectrum exp_minus(const Spectrum& depth) {
+  return map(depth, [](float d) { return std::exp(-d); });
+}
 
 template <class T, class Predicate>
 void erase_if(FrameArray<T>& array, Predicate&& predicate) {
@@ -17,8 +19,8 @@ void erase_if(FrameArray<T>& array, Predicate&& predicate) {
 
 }  // namespace
 
-bool Flying::weigh(const Rgb& density) {
-  const Rgb shares = share * density;
+bool Flying::weigh(const Spectrum& density) {
+  const Spectrum shares = share * density;
   const float all = mean(shares);
   if (!(all > 0)) return false;
   share = shares / all, weight *= density / all;
@@ -29,10 +31,11 @@ MediumFlight::MediumFlight(const Scene& scene, const PathState& path, FrameSet f
     : path_(path),
       colour_(std::min(2, static_cast<int>(3 * path.random.number(0, kColour)))),
       numbers_(path.flights.numbers),
-      collisions_(majorants, path.ray, colour_) {
+      palette_(*scene.palette),
+      collisions_(majorants, path.ray, colour_, palette_) {
   scene.media[static_cast<std::size_t>(path.inside.medium)].states.for_each(
       frames, [&](FrameSet common, const Medium& medium) {
-        flying_.add({common, &medium, Rgb(1), path.flights.share});
+        flying_.add({common, &medium, Spectrum(1), path.flights.share});
       });
 }
 
@@ -40,21 +43,21 @@ bool MediumFlight::meet(float distance) {
   colliding_.shrink(0), glowing_.shrink(0);
   const auto number = [&] { return path_.random.number(path_.bounces, kFirstFlight + numbers_++); };
   const bool met = collisions_.advance(distance, number);
-  const Rgb left = exp_minus(collisions_.depth());
+  const Spectrum left = exp_minus(collisions_.depth());
   if (!met) {
     erase_if(flying_, [&](Flying& each) { return !each.weigh(left); });
     return false;
   }
   const Vec3 p = path_.ray.at(collisions_.distance());
-  const Rgb& majorant = collisions_.majorant();
+  const Spectrum& majorant = collisions_.majorant();
   const float u = number();
   for (Flying& each : flying_) {
-    const MediumProperties here = each.medium->at(p);
+    const CarriedMedium here = carried(each.medium->at(p), palette_);
     if (max_component(here.emitted) > 0)
       glowing_.add({each.frames, each.weight * left * here.emitted / mean(each.share * left * majorant)});
-    const Rgb sigma_t = here.sigma_t();
+    const Spectrum sigma_t = here.sigma_t();
     const bool collides = u * majorant[colour_] < sigma_t[colour_];
-    Rgb density;
+    Spectrum density;
     for (int c = 0; c < 3; ++c)
       density[c] = left[c] * (collides ? sigma_t[c] : std::max(0.f, majorant[c] - sigma_t[c]));
     if (!each.weigh(density)) {

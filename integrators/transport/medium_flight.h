@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frame_array.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/vec.h"
@@ -21,11 +21,11 @@ namespace dspm {
 struct Flying {
   FrameSet frames;
   const Medium* medium;
-  Rgb weight{1};  // of the path's throughput
-  Rgb share;      // see Flights
+  Spectrum weight{1};  // of the path's throughput
+  Spectrum share;      // see Flights
 
   /// Weights the colours by their densities of what has been drawn. Returns false if nothing is left.
-  bool weigh(const Rgb& density);
+  bool weigh(const Spectrum& density);
 };
 
 class MediumFlight {
@@ -36,7 +36,7 @@ class MediumFlight {
   /// A state's collision, and how the medium scatters there.
   struct Colliding {
     Flying flown;
-    Rgb albedo;
+    Spectrum albedo;
     float g;
   };
 
@@ -44,7 +44,7 @@ class MediumFlight {
   /// then the frames in which it was none in name only, which fly no more, and glowing() is what the medium has added.
   bool meet(float distance);
   float distance() const { return collisions_.distance(); }
-  const Rgb& majorant() const { return collisions_.majorant(); }  // there
+  const Spectrum& majorant() const { return collisions_.majorant(); }  // there
   std::span<const Colliding> colliding() const { return colliding_; }
   /// The radiance, or the flux, that the medium has added for each unit of the path's throughput.
   std::span<const FrameFactor> glowing() const { return glowing_; }
@@ -58,6 +58,7 @@ class MediumFlight {
   const PathState& path_;
   const int colour_;
   int numbers_;
+  const Palette& palette_;
   TentativeCollisions collisions_;
   FrameArray<Flying> flying_;
   FrameArray<Colliding> colliding_;

@@ -11,14 +11,14 @@ float SegmentNumbers::next() {
   return random.number(bounce, kFirst + used++);
 }
 
-Rgb MediumSection::left_at(float t) const {
+Spectrum MediumSection::left_at(float t) const {
   if (steps.empty()) return left * left_after(sigma_t, t - begin);
   const auto after =
       std::upper_bound(steps.begin(), steps.end(), t, [](float at, const MediumStep& step) { return at < step.t; });
   return after == steps.begin() ? left : std::prev(after)->left;
 }
 
-void DrawnCollision::offer(float t, const Rgb& scattered, float g) {
+void DrawnCollision::offer(float t, const Spectrum& scattered, float g) {
   const float offered = max_component(scattered);
   if (!(offered > 0)) return;
   sum_ += offered;
@@ -29,14 +29,16 @@ void DrawnCollision::offer(float t, const Rgb& scattered, float g) {
     u_ = (u_ - chance) / (1 - chance);
 }
 
-MediumPassage::MediumPassage(const Medium& medium, const Majorants& majorants, const Ray& ray, SegmentNumbers& numbers,
-                             std::vector<MediumStep>& steps)
+MediumPassage::MediumPassage(const Medium& medium, const Majorants& majorants, const Palette& palette, const Ray& ray,
+                             SegmentNumbers& numbers, std::vector<MediumStep>& steps)
     : medium_(medium),
-      everywhere_(medium.everywhere()),
+      palette_(palette),
       ray_(ray),
       numbers_(numbers),
       steps_(steps),
-      collisions_(majorants, ray, TentativeCollisions::kLargest) {}
+      collisions_(majorants, ray, TentativeCollisions::kLargest, palette) {
+  if (const auto same = medium.everywhere()) everywhere_ = carried(*same, palette);
+}
 
 MediumSection MediumPassage::advance(float end, DrawnCollision* drawn) {
   MediumSection section{t_, end, left_, {}, {}, {}, &medium_};
@@ -54,9 +56,9 @@ MediumSection MediumPassage::advance(float end, DrawnCollision* drawn) {
 }
 
 /// Emission e that is left after it has passed the rest of a way of length s: e (1 - exp(-sigma_t s)) / sigma_t.
-Rgb MediumPassage::pass_evenly(const MediumProperties& medium, float length) {
-  const Rgb sigma_t = medium.sigma_t(), after = left_after(sigma_t, length);
-  Rgb glow;
+Spectrum MediumPassage::pass_evenly(const CarriedMedium& medium, float length) {
+  const Spectrum sigma_t = medium.sigma_t(), after = left_after(sigma_t, length);
+  Spectrum glow;
   for (int c = 0; c < 3; ++c)
     if (medium.emitted[c] > 0)
       glow[c] = left_[c] * medium.emitted[c] * (sigma_t[c] > 0 ? (1 - after[c]) / sigma_t[c] : length);
@@ -66,18 +68,18 @@ Rgb MediumPassage::pass_evenly(const MediumProperties& medium, float length) {
 
 /// Collisions are drawn by the largest of the colours' majorants: what each of them leaves is a factor. What is faint plays
 /// roulette.
-Rgb MediumPassage::pass_by_steps(float end, DrawnCollision* drawn) {
+Spectrum MediumPassage::pass_by_steps(float end, DrawnCollision* drawn) {
   constexpr float kFaint = 0.05f, kSurvival = 0.25f;
   const auto number = [&] { return numbers_.next(); };
-  Rgb glow;
+  Spectrum glow;
   while (!is_black(left_) && collisions_.advance(end, number)) {
-    const MediumProperties here = medium_.at(ray_.at(collisions_.distance()));
-    const Rgb sigma_t = here.sigma_t();
+    const CarriedMedium here = carried(medium_.at(ray_.at(collisions_.distance())), palette_);
+    const Spectrum sigma_t = here.sigma_t();
     const float largest = max_component(collisions_.majorant());
     glow += left_ * here.emitted / largest;
     if (drawn != nullptr) drawn->offer(collisions_.distance(), left_ * here.sigma_s / largest, here.g);
     for (int c = 0; c < 3; ++c) left_[c] *= std::max(0.f, 1 - sigma_t[c] / largest);
-    if (max_component(left_) < kFaint) left_ = number() < kSurvival ? left_ / kSurvival : Rgb();
+    if (max_component(left_) < kFaint) left_ = number() < kSurvival ? left_ / kSurvival : Spectrum();
     steps_.push_back({collisions_.distance(), left_});
   }
   return glow;

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/rng.h"
 #include "dspm/media/majorants.h"
@@ -26,7 +26,7 @@ struct SegmentNumbers {
 /// From `t` on, `left` of the light is left, up to the next step.
 struct MediumStep {
   float t;
-  Rgb left;
+  Spectrum left;
 };
 
 /// One of the collisions that a medium that varies may have along a section, drawn in proportion to the light that it scatters to
@@ -36,54 +36,55 @@ class DrawnCollision {
   DrawnCollision() = default;
   explicit DrawnCollision(float u) : u_(u) {}
 
-  void offer(float t, const Rgb& scattered, float g);
+  void offer(float t, const Spectrum& scattered, float g);
   bool has_any() const { return sum_ > 0; }
   float t() const { return t_; }
   /// What it scatters, over the chance that it was drawn: the mean is that of all collisions together.
-  Rgb scattered() const { return scattered_ * (sum_ / max_component(scattered_)); }
+  Spectrum scattered() const { return scattered_ * (sum_ / max_component(scattered_)); }
   float g() const { return g_; }
 
  private:
   float u_ = 0, sum_ = 0, t_ = 0, g_ = 0;
-  Rgb scattered_;
+  Spectrum scattered_;
 };
 
 /// A part of a ray in a medium.
 struct MediumSection {
   float begin, end;                   // along the ray
-  Rgb left;                           // of light at `begin`
-  Rgb sigma_t;                        // if the medium is the same everywhere; else black
+  Spectrum left;                      // of light at `begin`
+  Spectrum sigma_t;                   // if the medium is the same everywhere; else black
   std::span<const MediumStep> steps;  // if it varies
-  Rgb glow;                           // radiance that the medium adds, as it is left at the ray's origin
+  Spectrum glow;                      // radiance that the medium adds, as it is left at the ray's origin
   const Medium* medium = nullptr;
   DrawnCollision drawn = {};  // if the medium varies, and advance() was asked for it
 
   /// Returns what is left at a distance within the section.
-  Rgb left_at(float t) const;
+  Spectrum left_at(float t) const;
 };
 
 class MediumPassage {
  public:
   /// `steps` keeps the steps of all sections, until it is cleared.
-  MediumPassage(const Medium& medium, const Majorants& majorants, const Ray& ray, SegmentNumbers& numbers,
-                std::vector<MediumStep>& steps);
+  MediumPassage(const Medium& medium, const Majorants& majorants, const Palette& palette, const Ray& ray,
+                SegmentNumbers& numbers, std::vector<MediumStep>& steps);
 
   /// Goes on to `end`. The section's steps hold until the next call. Draws a collision, if `drawn` is not null.
   MediumSection advance(float end, DrawnCollision* drawn = nullptr);
-  const Rgb& left() const { return left_; }
+  const Spectrum& left() const { return left_; }
 
  private:
-  Rgb pass_evenly(const MediumProperties& medium, float length);
-  Rgb pass_by_steps(float end, DrawnCollision* drawn);
+  Spectrum pass_evenly(const CarriedMedium& medium, float length);
+  Spectrum pass_by_steps(float end, DrawnCollision* drawn);
 
   const Medium& medium_;
-  const std::optional<MediumProperties> everywhere_;
+  const Palette& palette_;
+  std::optional<CarriedMedium> everywhere_;
   const Ray& ray_;
   SegmentNumbers& numbers_;
   std::vector<MediumStep>& steps_;
   TentativeCollisions collisions_;
   float t_ = 0;
-  Rgb left_{1};
+  Spectrum left_{1};
 };
 
 }  // namespace dspm

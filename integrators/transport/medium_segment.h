@@ -1,7 +1,7 @@
 // A segment of a path through media, up to what it meets in each frame: surfaces, and boundaries without a surface, which no
 // tracer knows of. A tracer either has
 //   void collided(const Path&, const MediumVertex&)    may push branches
-//   void glowed(const Path&, FrameSet, const Rgb&)     optional: what the medium adds, for each unit of throughput
+//   void glowed(const Path&, FrameSet, const Spectrum&)     optional: what the medium adds, for each unit of throughput
 // or, for paths that pass straight through and are dimmed,
 //   void beamed(const Path&, const MediumSection&)
 // To others media are not there.
@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frame_array.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/integrators/transport/joint_path.h"
@@ -80,7 +80,7 @@ class MediumSegment {
   template <class Tracer>
   void collide(const MediumFlight& flight, Tracer& tracer) {
     const float distance = path_.passed + flight.distance();
-    if constexpr (requires { tracer.glowed(path_, path_.frames, Rgb()); })
+    if constexpr (requires { tracer.glowed(path_, path_.frames, Spectrum()); })
       for (const FrameFactor& glow : flight.glowing())
         branches_.dim(path_, path_.inside, glow.frames, distance, tracer,
                       [&](const Path& left) { tracer.glowed(left, left.frames, glow.factor); });
@@ -108,7 +108,7 @@ class MediumSegment {
   struct Passed {
     std::size_t meeting;
     FrameSet frames;
-    Rgb left;
+    Spectrum left;
     int numbers;
   };
 
@@ -121,7 +121,7 @@ class MediumSegment {
       medium().states.for_each(alike, [&](FrameSet frames, const Medium& state) {
         steps_.clear();
         SegmentNumbers numbers{path_.random, path_.bounces, path_.flights.numbers};
-        MediumPassage passage(state, majorants, path_.ray, numbers, steps_);
+        MediumPassage passage(state, majorants, *scene_.palette, path_.ray, numbers, steps_);
         Path within = path_;
         within.frames = frames;
         for (std::size_t m = 0; m < meetings_.size(); ++m) {

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frame_array.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
@@ -15,8 +15,8 @@ namespace dspm {
 
 /// What a path remembers of its flights through media.
 struct Flights {
-  Rgb share{1};     // of the density of the path's points by each colour's flights, over the mean of all three
-  int numbers = 0;  // random ones, drawn for the next segment so far
+  Spectrum share{1};  // of the density of the path's points by each colour's flights, over the mean of all three
+  int numbers = 0;    // random ones, drawn for the next segment so far
 };
 
 /// What gives off a medium's own light: the light that it is or, if that lights nothing, the medium.
@@ -30,7 +30,7 @@ struct MediumVertex {
   /// How the medium scatters light there in some of the frames.
   struct State {
     FrameSet frames;
-    Rgb albedo;
+    Spectrum albedo;
     HenyeyGreenstein phase;
   };
 
@@ -39,7 +39,7 @@ struct MediumVertex {
   float distance;  // of the path's segment
   int medium;      // into Scene::media
   FrameArray<State> states;
-  Rgb majorant = {};  // the same in all of these frames
+  Spectrum majorant = {};  // the same in all of these frames
 
   FrameSet frames() const {
     FrameSet all;

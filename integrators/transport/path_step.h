@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frame_array.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
@@ -24,7 +24,7 @@ namespace dspm {
 /// A path is a value. When frames part, each group gets a copy, with disjoint frame sets.
 struct PathState {
   Ray ray;                 // the next segment
-  Rgb throughput;          // radiance per radiance (camera), or flux in W (photon); includes 1/pdf of all samples
+  Spectrum throughput;     // radiance per radiance (camera), or flux in W (photon); includes 1/pdf of all samples
   FrameSet frames;         // the frames in which exactly this path exists; never grows
   int bounces = 0;         // scatterings so far
   float eta_scale = 1;     // what throughput has of the camera's weight and of refractions, which it regains on leaving
@@ -56,7 +56,9 @@ struct Vertex {
         shape(scene.shapes[static_cast<std::size_t>(part.hit.shape)]),
         material(scene.materials[static_cast<std::size_t>(shape.material)]),
         body(scene.body_of(shape.material)),
-        interface(scene.interface_at(part.hit.shape)) {}
+        interface(scene.interface_at(part.hit.shape)) {
+    point.palette = scene.palette;
+  }
 
   RayHit hit;
   SurfacePoint point;
@@ -179,26 +181,26 @@ inline SceneElement light_element(const Scene& scene, const SceneLight& light) {
   return {SceneElement::Kind::light, static_cast<int>(&light - scene.lights.data())};
 }
 
-/// Calls fn(FrameSet, const Rgb&, const Light&) with the surface's emission back along the path, once per group of
+/// Calls fn(FrameSet, const Spectrum&, const Light&) with the surface's emission back along the path, once per group of
 /// frames that agree.
 template <class Fn>
 void for_each_emission(const Scene& scene, const Vertex& vertex, FrameSet frames, Fn&& fn) {
   if (vertex.shape.light < 0) return;
   const SceneLight& light = scene.lights[static_cast<std::size_t>(vertex.shape.light)];
   light.states.for_each(frames, [&](FrameSet lit, const Light& state) {
-    const Rgb radiance = state.emitted(vertex.point, vertex.wo);
+    const Spectrum radiance = scene.palette->light(state.emitted(vertex.point, vertex.wo));
     if (!is_black(radiance)) fn(lit, radiance, state);
   });
 }
 
-/// Calls fn(FrameSet, const Rgb&, const SceneLight&, const Light&) with the light from infinity for a path that left
+/// Calls fn(FrameSet, const Spectrum&, const SceneLight&, const Light&) with the light from infinity for a path that left
 /// the scene. After no bounces it is what the camera sees as the background.
 template <class Fn>
 void for_each_escape(const Scene& scene, FrameSet frames, const Ray& ray, int bounces, Fn&& fn) {
   for (const int index : scene.infinite_lights) {
     const SceneLight& scene_light = scene.lights[static_cast<std::size_t>(index)];
     scene_light.states.for_each(frames, [&](FrameSet common, const Light& light) {
-      const Rgb radiance = bounces == 0 ? light.background(ray) : light.escaped(ray);
+      const Spectrum radiance = scene.palette->light(bounces == 0 ? light.background(ray) : light.escaped(ray));
       if (!is_black(radiance)) fn(common, radiance, scene_light, light);
     });
   }
@@ -243,7 +245,7 @@ inline void extend(PathState& path, const Vertex& vertex, const BsdfSample& samp
 inline constexpr int kFirstRouletteBounce = 4;  // of camera paths
 
 /// A camera path's survival probability after `bounce`: its throughput, as it would be outside glass.
-inline float roulette_chance(const Rgb& throughput, float eta_scale, int bounce) {
+inline float roulette_chance(const Spectrum& throughput, float eta_scale, int bounce) {
   return bounce < kFirstRouletteBounce ? 1 : std::min(1.f, max_component(throughput) / eta_scale);
 }
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/bsdf.h"
 #include "dspm/media/henyey_greenstein.h"
@@ -12,10 +12,10 @@ namespace dspm {
 
 class PhaseBsdf final : public Bsdf {
  public:
-  PhaseBsdf(const Rgb& albedo, const HenyeyGreenstein& phase) : albedo_(albedo), phase_(phase) {}
+  PhaseBsdf(const Spectrum& albedo, const HenyeyGreenstein& phase) : albedo_(albedo), phase_(phase) {}
 
   LobeSet lobes(float) const override { return 1; }
-  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport, LobeSet) const override {
+  Spectrum evaluate(const Vec3& wo, const Vec3& wi, Transport, LobeSet) const override {
     return albedo_ * phase_.pdf_w(-wo, wi);
   }
   float pdf_w(const Vec3& wo, const Vec3& wi, Transport, LobeSet) const override { return phase_.pdf_w(-wo, wi); }
@@ -26,7 +26,7 @@ class PhaseBsdf final : public Bsdf {
   float lobe_probability(const Vec3&, LobeSet) const override { return 1; }
 
  private:
-  Rgb albedo_;
+  Spectrum albedo_;
   HenyeyGreenstein phase_;
 };
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frame_array.h"
 #include "dspm/base/math/frames.h"
 
@@ -16,15 +16,15 @@ namespace dspm {
 /// contain frames that have left the path.
 struct Strand {
   FrameSet frames;
-  Rgb weight;              // times the path's throughput
+  Spectrum weight;         // times the path's throughput
   std::uint16_t rest = 0;  // strands that follow in the list
   bool grey = false;  // all weights of the list are: anything that depends only on colour is the same for all frames
 };
 
-/// Calls fn(FrameSet, const Rgb& weight) for every strand in `frames`; without a list, once with weight 1.
+/// Calls fn(FrameSet, const Spectrum& weight) for every strand in `frames`; without a list, once with weight 1.
 template <class Fn>
 void for_each_strand(const Strand* list, FrameSet frames, Fn&& fn) {
-  if (list == nullptr) return fn(frames, Rgb(1));
+  if (list == nullptr) return fn(frames, Spectrum(1));
   for (;; ++list) {
     if (const FrameSet common = list->frames & frames; !common.empty()) fn(common, list->weight);
     if (list->rest == 0) return;
@@ -37,7 +37,7 @@ using StrandList = std::uint32_t;
 /// The throughputs of a path's frames, before they become a list.
 class Strands {
  public:
-  void add(FrameSet frames, const Rgb& weight) {
+  void add(FrameSet frames, const Spectrum& weight) {
     strands_.add({frames, weight});
     frames_ |= frames;
   }
@@ -45,7 +45,7 @@ class Strands {
   std::span<const Strand> strands() const { return strands_; }
   /// Divides out and returns the common factor: a colour of which all weights are multiples; 1 if none exists. Equal
   /// weights become a single strand.
-  Rgb take_common();
+  Spectrum take_common();
 
  private:
   FrameArray<Strand> strands_;
@@ -62,10 +62,10 @@ class StrandTable {
   /// The number of the next list to be added.
   StrandList end() const { return static_cast<StrandList>(strands_.size()); }
   /// Makes a list of the frames' throughputs and moves their common factor into `common`; 0 if nothing else remains.
-  StrandList add(Strands& strands, Rgb& common);
+  StrandList add(Strands& strands, Spectrum& common);
   /// Returns the list that `frames` need: if one strand holds all of them, multiplies its weight into `carried` and
   /// returns 0.
-  StrandList folded(StrandList list, FrameSet frames, Rgb& carried) const {
+  StrandList folded(StrandList list, FrameSet frames, Spectrum& carried) const {
     for (const Strand* strand = of(list); strand != nullptr; ++strand) {
       if (!(strand->frames & frames).empty()) {
         if (!strand->frames.contains(frames)) return list;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/sampling.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/media/henyey_greenstein.h"
@@ -25,7 +25,7 @@ float left_after(float sigma_t, float distance) { return std::exp(-sigma_t * dis
 
 void Walk::start(Ray& ray, const PathRandom& random, int bounce) {
   if (!is_inside()) return;
-  share_ = weight_ = Rgb(1), collisions_ = 0;
+  share_ = weight_ = Spectrum(1), collisions_ = 0;
   hero_ = std::min(2, static_cast<int>(3 * random.number(bounce, kHero)));
   fly(ray, random, bounce);
 }
@@ -35,16 +35,16 @@ void Walk::fly(Ray& ray, const PathRandom& random, int bounce) const {
   ray.t_max = sigma_t > 0 ? -std::log(1 - u) / sigma_t : kInfinity;
 }
 
-Rgb Walk::weigh(const Rgb& density) {
-  const Rgb shares = share_ * density;
-  const float mean = (shares.r + shares.g + shares.b) / 3;
-  if (!(mean > 0)) return {};
-  share_ = shares / mean;
-  return density / mean;
+Spectrum Walk::weigh(const Spectrum& density) {
+  const Spectrum shares = share_ * density;
+  const float all = mean(shares);
+  if (!(all > 0)) return {};
+  share_ = shares / all;
+  return density / all;
 }
 
-Rgb Walk::reach(float distance) {
-  Rgb left;
+Spectrum Walk::reach(float distance) {
+  Spectrum left;
   for (int c = 0; c < 3; ++c) left[c] = left_after(interior_.sigma_t[c], distance);
   return weigh(left);
 }
@@ -59,11 +59,11 @@ bool Walk::is_thrown_back(Ray& ray, const SurfacePoint& point, const Vec3& inwar
   return true;
 }
 
-Rgb Walk::scatter(Ray& ray, const PathRandom& random, int bounce) {
+Spectrum Walk::scatter(Ray& ray, const PathRandom& random, int bounce) {
   if (++collisions_ > kMostCollisions || !std::isfinite(ray.t_max)) return {};
-  Rgb density;
+  Spectrum density;
   for (int c = 0; c < 3; ++c) density[c] = interior_.sigma_t[c] * left_after(interior_.sigma_t[c], ray.t_max);
-  Rgb factor = weigh(density) * interior_.albedo;
+  Spectrum factor = weigh(density) * interior_.albedo;
   weight_ *= factor;
   const float survival = std::min(1.f, max_component(weight_));
   if (!(random.number(bounce, dimension(collisions_, kSurvival)) < survival)) return {};

@@ -4,7 +4,7 @@
 // does not depend on frames. [Wilkie et al. 2014, Hero Wavelength Spectral Sampling]
 #pragma once
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/rng.h"
 #include "dspm/base/math/vec.h"
@@ -22,22 +22,22 @@ class Walk {
   /// Begins at the surface: the ray ends where the first flight does. Leaves rays outside as they are.
   void start(Ray& ray, const PathRandom& random, int bounce);
   /// Returns the factor to what the path carries when the ray has met the surface at `distance`.
-  Rgb reach(float distance);
+  Spectrum reach(float distance);
   /// Returns whether the surface throws light back there, along the normal `inward`; if so, the ray becomes the next
   /// flight's.
   bool is_thrown_back(Ray& ray, const SurfacePoint& point, const Vec3& inward, const PathRandom& random, int bounce);
   /// Returns the factor at the end of the ray, which becomes the next flight's. It is black if light is absorbed.
-  Rgb scatter(Ray& ray, const PathRandom& random, int bounce);
+  Spectrum scatter(Ray& ray, const PathRandom& random, int bounce);
 
  private:
   void fly(Ray& ray, const PathRandom& random, int bounce) const;
   /// Weights the colours by their densities of what has been drawn.
-  Rgb weigh(const Rgb& density);
+  Spectrum weigh(const Spectrum& density);
 
   Interior interior_;
-  Rgb share_{1};   // of each colour's density, over the mean
-  Rgb weight_{1};  // of this walk, after roulette
-  int hero_ = 0;   // the colour whose flights are drawn
+  Spectrum share_{1};   // of each colour's density, over the mean
+  Spectrum weight_{1};  // of this walk, after roulette
+  int hero_ = 0;        // the colour whose flights are drawn
   int collisions_ = 0;
 };
 

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "dspm/base/colour/rgb.h"
-#include "dspm/base/colour/spectrum.h"
+#include "dspm/base/colour/spectral_curve.h"
 #include "dspm/base/colour/spectrum_tables.h"
 #include "dspm/lang/v3/kinds.h"
 
@@ -23,7 +23,7 @@ constexpr Rule kLights[] = {
 };
 
 /// The luminance of a spectrum's samples. v4 scales an illuminant to luminance 1, v3 left it as it was.
-float luminance(const Spectrum& spectrum) {
+float luminance(const SpectralCurve& spectrum) {
   float sum = 0, whole = 0;
   for (int i = 0; i < kObserverSamples; ++i) {
     const float y = kObserverY[static_cast<std::size_t>(i)];
@@ -34,15 +34,15 @@ float luminance(const Spectrum& spectrum) {
 }
 
 /// Returns an empty spectrum if the wavelengths are not in order; whoever reads the parameter reports that.
-Spectrum of_pairs(const std::vector<float>& pairs) {
-  Spectrum spectrum;
+SpectralCurve of_pairs(const std::vector<float>& pairs) {
+  SpectralCurve spectrum;
   for (std::size_t i = 0; i + 1 < pairs.size(); i += 2) {
     spectrum.nm.push_back(pairs[i]);
     spectrum.values.push_back(pairs[i + 1]);
   }
   const bool in_order =
       std::adjacent_find(spectrum.nm.begin(), spectrum.nm.end(), std::greater_equal<float>()) == spectrum.nm.end();
-  return in_order ? spectrum : Spectrum();
+  return in_order ? spectrum : SpectralCurve();
 }
 
 /// Leaves the hue in the parameter, and returns the strength that v4 takes away from it.

@@ -74,6 +74,7 @@
 #include <optional>
 
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/materials/fresnel.h"
@@ -148,8 +149,8 @@ class PrincipledMaterial final : public Material {
       reader.error("iridescenceeta", "parameter \"iridescenceeta\" of " + reader.subject() + " must be at least 1");
     sheen_ = read.colour("sheen", 0, "of fibres that reflect at grazing angles");
     sheen_roughness_ = read.share("sheenroughness", 0.5f, "as roughness");
-    absorption_ = read_absorption(reader);
-    if (thin_ && !is_black(absorption_))
+    absorption_ = Absorption(reader);
+    if (thin_ && !absorption_.is_none())
       reader.error("attenuationcolor", reader.subject() + " is thin, so it has no inside that absorbs light",
                    "\"basecolor\" colours what passes a thin wall");
     // World makes use of them.
@@ -183,17 +184,17 @@ class PrincipledMaterial final : public Material {
     const auto number = [&](const TexturePtr<float>& texture) { return std::clamp(texture->evaluate(at), 0.f, 1.f); };
     const float alpha = square(number(roughness_));
     const float aspect = std::sqrt(1 - 0.9f * number(anisotropy_));  // [Burley 2012]
-    const PrincipledLook look{clamped_albedo(base_->evaluate(at)),
+    const PrincipledLook look{clamped_albedo(base_->carried(at)),
                               number(metallic_),
                               number(specular_),
-                              clamped_albedo(specular_colour_->evaluate(at) * fresnel_dielectric(1, eta_)),
+                              clamped_albedo(specular_colour_->carried(at) * fresnel_dielectric(1, eta_)),
                               number(transmission_),
                               number(beyond_),
-                              clamped_albedo(beyond_colour_->evaluate(at)),
+                              clamped_albedo(beyond_colour_->carried(at)),
                               {std::min(1.f, alpha / aspect), alpha * aspect},
                               number(coat_),
                               square(number(coat_roughness_)),
-                              clamped_albedo(sheen_->evaluate(at)),
+                              clamped_albedo(sheen_->carried(at)),
                               square(number(sheen_roughness_)),
                               coat_normal(point),
                               number(iridescence_),
@@ -201,7 +202,7 @@ class PrincipledMaterial final : public Material {
     const PrincipledTables& tables = tables_->of(point.outside_eta);
     Refraction refraction(index_, point);
     refraction.eta = refraction.disperses() ? away_from_one(refraction.eta, tables.eta < 1) : tables.eta;
-    return slot.emplace<Principled>(frame(point, rotation_->evaluate(at)), tables, refraction, look);
+    return slot.emplace<Principled>(frame(point, rotation_->evaluate(at)), tables, refraction, *point.palette, look);
   }
   /// Only the ground is linear, in its two colours.
   bool is_linear() const override { return is_linear_; }
@@ -211,7 +212,7 @@ class PrincipledMaterial final : public Material {
     return index_.disperses() ? index_.at(wavelength) : eta_;
   }
   bool disperses() const override { return index_.disperses() && bounds_a_body(); }
-  Rgb absorption() const override { return absorption_; }
+  Spectrum absorption(const Palette& palette) const override { return absorption_.per_length(palette); }
 
  private:
   template <class... Textures>
@@ -244,7 +245,7 @@ class PrincipledMaterial final : public Material {
   bool thin_, is_linear_ = false;
   RefractiveIndex index_{1.5f};
   float eta_, film_eta_;
-  Rgb absorption_;
+  Absorption absorption_;
   std::optional<PerSurroundings<PrincipledTables>> tables_;
 };
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/made_up.h"
 #include "dspm/materials/principled/principled_layers.h"
@@ -125,7 +125,7 @@ float PrincipledLayers::diffuse_norm() const {
 }
 
 /// Returns the lobe for light that meets several facets.
-Rgb PrincipledLayers::made_up_by_metal(const Way& o, const Way& i) const {
+Spectrum PrincipledLayers::made_up_by_metal(const Way& o, const Way& i) const {
   const FacetAlbedo metal = of_metal();
   const float lost = made_up(1 - metal.of(o.cos, o.turn), 1 - metal.of(i.cos, i.turn), 1 - metal.mean()) *
                      (1 - kUnsureIfBrushed * narrowness_);
@@ -134,19 +134,19 @@ Rgb PrincipledLayers::made_up_by_metal(const Way& o, const Way& i) const {
 
 /// Returns the lobe for what glass loses. A film mirrors a share of what glass alone would let through (or less than
 /// none), and facets lose of that what they lose of metal's.
-Rgb PrincipledLayers::made_up_by_glass(const Way& o, const Way& i) const {
+Spectrum PrincipledLayers::made_up_by_glass(const Way& o, const Way& i) const {
   const FacetAlbedo glass = of_glass();
   const float sure = 1 - (outside_ ? kUnsureIfBrushed : kUnsureInsideIfBrushed) * narrowness_;
   const auto lost_by = [](const FacetAlbedo& facets, const Way& w) { return 1 - facets.of(w.cos, w.turn); };
   const float over = over_glass(o, i) * sure;
   const float bare_o = lost_by(glass, o), bare_i = lost_by(glass, i), bare = 1 - glass.mean();
-  if (!film_) return Rgb(over * made_up(bare_o, bare_i, bare));
+  if (!film_) return Spectrum(over * made_up(bare_o, bare_i, bare));
   const FacetAlbedo metal = of_metal();
   const float more_o = lost_by(metal, o) - bare_o, more_i = lost_by(metal, i) - bare_i, more = 1 - metal.mean() - bare;
-  Rgb share, sum;
+  Spectrum share, sum;
   for (const float cos : {0.95f, 0.7f, 0.4f}) {
     const float usual = fresnel_dielectric(cos, tables_.eta);
-    share += (dielectric_facet(cos, tables_.eta) - Rgb(usual)) / (3 * (1 - usual));
+    share += (dielectric_facet(cos, tables_.eta) - Spectrum(usual)) / (3 * (1 - usual));
   }
   for (int c = 0; c < 3; ++c) {
     const auto lost = [&](float alone, float rest) { return std::max(0.f, alone + share[c] * rest); };

@@ -13,8 +13,9 @@
 namespace dspm {
 
 Principled::Principled(const ShadingFrame& frame, const PrincipledTables& tables, const Refraction& refraction,
-                       const PrincipledLook& look)
+                       const Palette& palette, const PrincipledLook& look)
     : tables_(&tables),
+      palette_(&palette),
       ns_(frame.ns()),
       ng_(frame.ng()),
       eta_(tables.thin ? tables.eta : refraction.eta),
@@ -42,11 +43,11 @@ Principled::Principled(const ShadingFrame& frame, const PrincipledTables& tables
 
 LobeSet Principled::lobes(float least_alpha) const { return PrincipledLayers(*this).lobes(least_alpha); }
 
-Rgb Principled::evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const {
+Spectrum Principled::evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const {
   const ShadingFrame frame = this->frame();
   const LocalPair w(frame, wo, wi, transport);
   if (!w.valid) return {};
-  const Rgb f = PrincipledLayers(*this, frame, w.side).f(w.wo, w.wi, transport, lobes);
+  const Spectrum f = PrincipledLayers(*this, frame, w.side).f(w.wo, w.wi, transport, lobes);
   return f * hue_of(w.side, !w.reflection());
 }
 
@@ -107,17 +108,17 @@ bool Principled::differs_in_base_from(const Principled& o) const {
          alpha_y_ == o.alpha_y_ && coat_ == o.coat_ && coat_alpha_ == o.coat_alpha_ && sheen_alpha_ == o.sheen_alpha_;
 }
 
-std::optional<Rgb> Principled::ratio_to(const Bsdf& other, LobeSet lobes) const {
+std::optional<Spectrum> Principled::ratio_to(const Bsdf& other, LobeSet lobes) const {
   if (typeid(other) != typeid(Principled)) return std::nullopt;
   const auto& o = static_cast<const Principled&>(other);
   if (!differs_in_base_from(o)) return std::nullopt;
-  if (base_ == o.base_) return Rgb(1);
+  if (base_ == o.base_) return Spectrum(1);
   const LobeSet known = lobes & this->lobes(0);
   const bool one_colour = known == kThrough || (known == kDiffuse && PrincipledLayers(*this).only_diffuse());
   if (!one_colour) return std::nullopt;
-  const auto of_base = ratio(base_, o.base_);
+  const auto of_base = ratio<Spectrum>(base_, o.base_);
   if (!of_base || known == kDiffuse || tables_->thin) return of_base;
-  return Rgb(std::sqrt(of_base->r), std::sqrt(of_base->g), std::sqrt(of_base->b));
+  return map(*of_base, [](float c) { return std::sqrt(c); });
 }
 
 }  // namespace dspm

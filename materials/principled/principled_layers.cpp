@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/rough_boundary.h"
 
@@ -12,10 +12,10 @@ namespace {
 
 /// Returns the share of what a boundary of that index lets through straight on that is mirrored as well; below 0 if
 /// less is mirrored.
-Rgb more_than_usual(const Rgb& straight, float eta) {
+Spectrum more_than_usual(const Spectrum& straight, float eta) {
   constexpr float kRounding = 1e-5f;  // of a SmallNumber
   const float usual = fresnel_dielectric(1, eta);
-  Rgb more = (straight - Rgb(usual)) / (1 - usual);
+  Spectrum more = (straight - Spectrum(usual)) / (1 - usual);
   for (int c = 0; c < 3; ++c)
     if (std::abs(more[c]) < kRounding) more[c] = 0;
   return more;
@@ -56,7 +56,7 @@ PrincipledLayers::PrincipledLayers(const Principled& at, const ShadingFrame& fra
       diffuse_norm_(at.diffuse_norm_),
       under_film_(at.film_) {
   if (side < 0) coat_normal_ = {-coat_normal_.x, -coat_normal_.y, coat_normal_.z};
-  if (under_film_ > 0) film_.emplace(tables_.film_eta, at.film_thickness_ * kMostFilmNm);
+  if (under_film_ > 0) film_.emplace(tables_.film_eta, at.film_thickness_ * kMostFilmNm, *at.palette_);
 }
 
 PrincipledLayers::Tilts PrincipledLayers::as_seen(const Vec3& camera) const {
@@ -80,60 +80,60 @@ LobeSet PrincipledLayers::lobes(float least_alpha) const {
 }
 
 /// Returns the mean over all directions: of Schlick's term a 21st of the rest; a film's is taken at the mean cosine.
-Rgb PrincipledLayers::mean_by_metal() const {
-  const Rgb bare = base_ + (Rgb(1) - base_) / 21;
+Spectrum PrincipledLayers::mean_by_metal() const {
+  const Spectrum bare = base_ + (Spectrum(1) - base_) / 21;
   return film_ ? bare + (film_->over_metal(base_, 2 / 3.f) - bare) * under_film_ : bare;
 }
 
-Rgb PrincipledLayers::metal_facet(float cos) const {
-  const Rgb bare = fresnel_schlick(base_, cos);
+Spectrum PrincipledLayers::metal_facet(float cos) const {
+  const Spectrum bare = fresnel_schlick(base_, cos);
   return film_ ? bare + (film_->over_metal(base_, cos) - bare) * under_film_ : bare;
 }
 
 /// Here and below, `eta` is inside over outside.
-Rgb PrincipledLayers::dielectric_facet(float cos, float eta) const {
-  const Rgb bare(fresnel_dielectric(cos, eta));
+Spectrum PrincipledLayers::dielectric_facet(float cos, float eta) const {
+  const Spectrum bare(fresnel_dielectric(cos, eta));
   return film_ ? bare + (film_->over_dielectric(eta, cos) - bare) * under_film_ : bare;
 }
 
 /// Returns a facet's reflectance. With Schlick's term s, the boundary mirrors F0 + (1 - F0) s, and this F0' + (1 - F0')
 /// s. [glTF 2.0, KHR_materials_specular]
-Rgb PrincipledLayers::opaque_facet(float cos) const {
-  const Rgb bare = dielectric_facet(cos, tables_.eta);
-  Rgb facet;
+Spectrum PrincipledLayers::opaque_facet(float cos) const {
+  const Spectrum bare = dielectric_facet(cos, tables_.eta);
+  Spectrum facet;
   for (int c = 0; c < 3; ++c) facet[c] = std::max(0.f, bare[c] + (1 - bare[c]) * more_[c]);
   return facet;
 }
 
 /// Returns a facet's reflectance. From inside it mirrors what it mirrors of the light that comes the same way from
 /// outside.
-Rgb PrincipledLayers::glass_facet(float cos, float eta) const {
+Spectrum PrincipledLayers::glass_facet(float cos, float eta) const {
   if (outside_) return dielectric_facet(cos, eta);
   const float beyond = 1 / eta;
-  if (!film_) return Rgb(fresnel_dielectric(cos, beyond));
+  if (!film_) return Spectrum(fresnel_dielectric(cos, beyond));
   const float sin2_outside = (1 - cos * cos) / (beyond * beyond);
-  return sin2_outside >= 1 ? Rgb(1) : dielectric_facet(std::sqrt(1 - sin2_outside), eta);
+  return sin2_outside >= 1 ? Spectrum(1) : dielectric_facet(std::sqrt(1 - sin2_outside), eta);
 }
 
-Rgb PrincipledLayers::mirrored_by_facet(float cos_facet, const Way& o, const Way& i) const {
-  Rgb sum;
+Spectrum PrincipledLayers::mirrored_by_facet(float cos_facet, const Way& o, const Way& i) const {
+  Spectrum sum;
   const float passed = o.share * i.share;
   if (metal_ > 0) sum += metal_facet(cos_facet) * (metal_ * passed);
   if (opaque_ > 0) sum += opaque_facet(cos_facet) * (opaque_ * specular_ * passed);
   if (glass_ == 0) return sum;
-  const Rgb glass = glass_facet(cos_facet, mirroring_eta_);
-  return sum + (glass + (Rgb(1) - glass) * sent_back(cos_facet, o, i)) * (glass_ * over_glass(o, i));
+  const Spectrum glass = glass_facet(cos_facet, mirroring_eta_);
+  return sum + (glass + (Spectrum(1) - glass) * sent_back(cos_facet, o, i)) * (glass_ * over_glass(o, i));
 }
 
-Rgb PrincipledLayers::through_facet(float cos_facet, const Way& o, const Way& i) const {
-  const Rgb passes = (Rgb(1) - glass_facet(cos_facet, eta_)) * glass_;
+Spectrum PrincipledLayers::through_facet(float cos_facet, const Way& o, const Way& i) const {
+  const Spectrum passes = (Spectrum(1) - glass_facet(cos_facet, eta_)) * glass_;
   if (thin_) return base_ * passes * (o.share * i.share);
-  const Rgb tint(std::sqrt(base_.r), std::sqrt(base_.g), std::sqrt(base_.b));
+  const Spectrum tint = map(base_, [](float c) { return std::sqrt(c); });
   return tint * passes * (outside_ ? o.left : i.left);
 }
 
-Rgb PrincipledLayers::through(const Vec3& o, const Vec3& i, const Way& way_o, const Way& way_i,
-                              Transport transport) const {
+Spectrum PrincipledLayers::through(const Vec3& o, const Vec3& i, const Way& way_o, const Way& way_i,
+                                   Transport transport) const {
   if (thin_) {
     const Vec3 mirrored = other_side(i), m = normalize(o + mirrored);
     return through_facet(dot(o, m), way_o, way_i) * facets_.reflection(o, mirrored, m);
@@ -151,25 +151,25 @@ float PrincipledLayers::density_through(const Vec3& o, const Vec3& i) const {
 }
 
 /// Returns the ground's f for light that comes from one side and leaves on the same, or beyond.
-Rgb PrincipledLayers::ground(const Way& o, const Way& i, bool beyond) const {
+Spectrum PrincipledLayers::ground(const Way& o, const Way& i, bool beyond) const {
   if (!(opaque_ > 0) || !(diffuse_norm_ > 1e-6f)) return {};
-  const Rgb colour = beyond ? beyond_colour_ * beyond_ : base_ * (1 - beyond_);
+  const Spectrum colour = beyond ? beyond_colour_ * beyond_ : base_ * (1 - beyond_);
   return colour * (opaque_ / kPi * left_to_ground(o) * left_to_ground(i) / diffuse_norm_);
 }
 
-Rgb PrincipledLayers::diffuse(const Vec3& o, const Vec3& i, const Way& way_o, const Way& way_i) const {
-  Rgb sum = ground(way_o, way_i, false);
+Spectrum PrincipledLayers::diffuse(const Vec3& o, const Vec3& i, const Way& way_o, const Way& way_i) const {
+  Spectrum sum = ground(way_o, way_i, false);
   if (metal_ > 0 && !smooth_) sum += made_up_by_metal(way_o, way_i) * metal_;
   if (glass_ > 0 && !smooth_) sum += made_up_by_glass(way_o, way_i) * glass_;
   if (sheen_weight_ > 0) sum += sheen_ * (covered_ * Sheen(sheen_alpha_).f(o, i));
   return sum;
 }
 
-Rgb PrincipledLayers::f(const Vec3& o, const Vec3& i, Transport transport, LobeSet lobes) const {
+Spectrum PrincipledLayers::f(const Vec3& o, const Vec3& i, Transport transport, LobeSet lobes) const {
   const bool beyond = i.z < 0;
   const Tilts tilts = beyond ? as_they_are() : as_seen(transport == Transport::radiance ? o : i);
   const Way way_o = way(o, tilts), way_i = way(i, tilts);
-  Rgb sum;
+  Spectrum sum;
   if (beyond) {
     if ((lobes & Principled::kThrough) && !smooth_ && glass_ > 0) sum += through(o, i, way_o, way_i, transport);
     if ((lobes & Principled::kDiffuse) && beyond_ > 0) sum += ground(way_o, way_i, true);
@@ -180,8 +180,8 @@ Rgb PrincipledLayers::f(const Vec3& o, const Vec3& i, Transport transport, LobeS
       sum += mirrored_by_facet(dot(w.o, w.m), way_o, way_i) * (facets_.reflection(w.o, w.i, w.m) * w.factor);
   if ((lobes & Principled::kCoat) && !smooth_coat_ && coat_ > 0)
     if (const Tilt::Pair w = tilts.coat.pair(o, i, transport); w.above)
-      sum += Rgb(covered_ * coat_ * coat_under_sheen(o.z) * coat_under_sheen(i.z) *
-                 fresnel_dielectric(dot(w.o, w.m), kCoatEta) * coat_facets_.reflection(w.o, w.i, w.m) * w.factor);
+      sum += Spectrum(covered_ * coat_ * coat_under_sheen(o.z) * coat_under_sheen(i.z) *
+                      fresnel_dielectric(dot(w.o, w.m), kCoatEta) * coat_facets_.reflection(w.o, w.i, w.m) * w.factor);
   if (lobes & Principled::kDiffuse) sum += diffuse(o, i, way_o, way_i);
   return sum;
 }

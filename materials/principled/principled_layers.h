@@ -7,7 +7,7 @@
 #include <array>
 #include <optional>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/fresnel.h"
 #include "dspm/materials/made_up.h"
@@ -46,7 +46,7 @@ class PrincipledLayers {
   /// The index of refraction beyond the surface, over that on this side.
   float eta() const { return outside_ ? eta_ : 1 / eta_; }
 
-  Rgb f(const Vec3& o, const Vec3& i, Transport transport, LobeSet lobes) const;
+  Spectrum f(const Vec3& o, const Vec3& i, Transport transport, LobeSet lobes) const;
   /// Returns the probabilities of sampling `lobes`; zero for those that do not exist.
   PrincipledChances chances(const Vec3& o, Transport transport, LobeSet lobes) const;
   /// Returns the density by solid angle.
@@ -55,7 +55,7 @@ class PrincipledLayers {
   struct Drawn {
     Vec3 i;
     bool specular;
-    Rgb weight = {};  // if it is; without the factor of refraction on radiance
+    Spectrum weight = {};  // if it is; without the factor of refraction on radiance
     bool refracted = false;
   };
   std::optional<Drawn> draw(const Vec3& o, const Vec3& u, Transport transport, const PrincipledChances& chances) const;
@@ -104,19 +104,19 @@ class PrincipledLayers {
   /// Returns the dielectric's directional albedo, if its colour mirrors that share more.
   float mirrored_by_dielectric(const Way& w, float more) const;
   float left_to_ground(const Way& w) const { return (1 - mirrored_by_dielectric(w, most_more_)) * w.left; }
-  Rgb made_up_by_metal(const Way& o, const Way& i) const;
-  Rgb made_up_by_glass(const Way& o, const Way& i) const;
+  Spectrum made_up_by_metal(const Way& o, const Way& i) const;
+  Spectrum made_up_by_glass(const Way& o, const Way& i) const;
   /// Return a facet's reflectance, by kind.
-  Rgb metal_facet(float cos) const;
-  Rgb mean_by_metal() const;
-  Rgb dielectric_facet(float cos, float eta) const;
-  Rgb opaque_facet(float cos) const;
-  Rgb glass_facet(float cos, float eta) const;
-  Rgb mirrored_by_facet(float cos_facet, const Way& o, const Way& i) const;
-  Rgb through_facet(float cos_facet, const Way& o, const Way& i) const;
-  Rgb through(const Vec3& o, const Vec3& i, const Way& way_o, const Way& way_i, Transport transport) const;
-  Rgb ground(const Way& o, const Way& i, bool beyond) const;
-  Rgb diffuse(const Vec3& o, const Vec3& i, const Way& way_o, const Way& way_i) const;
+  Spectrum metal_facet(float cos) const;
+  Spectrum mean_by_metal() const;
+  Spectrum dielectric_facet(float cos, float eta) const;
+  Spectrum opaque_facet(float cos) const;
+  Spectrum glass_facet(float cos, float eta) const;
+  Spectrum mirrored_by_facet(float cos_facet, const Way& o, const Way& i) const;
+  Spectrum through_facet(float cos_facet, const Way& o, const Way& i) const;
+  Spectrum through(const Vec3& o, const Vec3& i, const Way& way_o, const Way& way_i, Transport transport) const;
+  Spectrum ground(const Way& o, const Way& i, bool beyond) const;
+  Spectrum diffuse(const Vec3& o, const Vec3& i, const Way& way_o, const Way& way_i) const;
   PrincipledChances weights(const Way& o) const;
   float density_through(const Vec3& o, const Vec3& i) const;
   std::optional<Drawn> draw_specular(const Vec3& o, const Vec3& u, const Tilts& tilts, Transport transport,
@@ -131,8 +131,8 @@ class PrincipledLayers {
   float eta_, mirroring_eta_;
   bool thin_, outside_;
   Vec3 up_, coat_normal_;  // in the frame, on this side: the geometric normal, and the coat's
-  Rgb base_, sheen_, beyond_colour_;
-  Rgb more_;  // see opaque_facet
+  Spectrum base_, sheen_, beyond_colour_;
+  Spectrum more_;  // see opaque_facet
   float most_more_;
   float metal_, glass_, opaque_;     // shares of the base
   float beyond_;                     // share of the ground's light

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/sampling.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/principled/principled_layers.h"
@@ -106,8 +106,9 @@ std::optional<PrincipledLayers::Drawn> PrincipledLayers::draw_coat(const Vec3& o
   if (mirrored.z <= 0 || i.z <= 0) return std::nullopt;
   if (!smooth_coat_) return Drawn{i, false};
   const float passed = covered_ * coat_under_sheen(o.z) * coat_under_sheen(i.z) * coat_;
-  return Drawn{i, true,
-               Rgb(passed * fresnel_dielectric(seen.z, kCoatEta) * tilts.coat.mirror_factor(o, i, transport) / chance)};
+  return Drawn{
+      i, true,
+      Spectrum(passed * fresnel_dielectric(seen.z, kCoatEta) * tilts.coat.mirror_factor(o, i, transport) / chance)};
 }
 
 std::optional<PrincipledLayers::Drawn> PrincipledLayers::draw_specular(const Vec3& o, const Vec3& u, const Tilts& tilts,
@@ -119,7 +120,7 @@ std::optional<PrincipledLayers::Drawn> PrincipledLayers::draw_specular(const Vec
   const Vec3 i = tilts.facets.back(mirrored);
   if (mirrored.z <= 0 || i.z <= 0) return std::nullopt;
   if (!smooth_) return Drawn{i, false};
-  const Rgb f = mirrored_by_facet(seen.z, way(o, tilts), way(i, tilts));
+  const Spectrum f = mirrored_by_facet(seen.z, way(o, tilts), way(i, tilts));
   return Drawn{i, true, f * (tilts.facets.mirror_factor(o, i, transport) / chance)};
 }
 

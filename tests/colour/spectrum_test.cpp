@@ -1,11 +1,10 @@
-#include "dspm/base/colour/spectrum.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
 #include "dspm/base/colour/sampled_colours.h"
+#include "dspm/base/colour/spectral_curve.h"
 #include "dspm/base/colour/spectrum_tables.h"
 #include "dspm/base/math/vec.h"
 
@@ -28,7 +27,7 @@ TEST(Spectrum, EveryNamedSpectrumIsWholeAndFinite) {
   const std::vector<std::string> names = spectrum_names();
   EXPECT_EQ(names.size(), 19u + 14u + 4u + 12u);
   for (const std::string& name : names) {
-    const std::optional<Spectrum> spectrum = named_spectrum(name);
+    const std::optional<SpectralCurve> spectrum = named_spectrum(name);
     ASSERT_TRUE(spectrum) << name;
     ASSERT_EQ(spectrum->nm.size(), spectrum->values.size());
     for (std::size_t i = 1; i < spectrum->nm.size(); ++i) EXPECT_GT(spectrum->nm[i], spectrum->nm[i - 1]) << name;
@@ -77,7 +76,7 @@ TEST(Spectrum, IlluminantsHaveTheirPublishedChromaticities) {
 }
 
 TEST(Spectrum, DaylightEqualsThePublishedTable) {
-  const Spectrum d65 = *named_spectrum("stdillum-D65");  // CIE standard illuminant D65
+  const SpectralCurve d65 = *named_spectrum("stdillum-D65");  // CIE standard illuminant D65
   EXPECT_NEAR(d65.at(400), 82.7549f, 2e-3f);
   EXPECT_NEAR(d65.at(450), 117.008f, 2e-3f);
   EXPECT_NEAR(d65.at(465), 116.336f, 2e-3f);
@@ -100,14 +99,14 @@ TEST(Spectrum, GlassesRefractAndDisperseAsMeasured) {
                                 {"glass-F5", 1.67271f, 32.25f},
                                 {"glass-F10", 1.72828f, 28.53f},
                                 {"glass-F11", 1.78472f, 25.68f}}) {
-    const Spectrum n = *named_spectrum(glass.name);
+    const SpectralCurve n = *named_spectrum(glass.name);
     EXPECT_NEAR(n.at(587.5618f), glass.index, 2e-5f) << glass.name;
     EXPECT_NEAR((n.at(587.5618f) - 1) / (n.at(486.1327f) - n.at(656.2725f)), glass.abbe, 0.15f) << glass.name;
   }
 }
 
 TEST(Spectrum, IsLinearBetweenSamplesAndZeroOutside) {
-  const Spectrum s{{400, 500, 700}, {1, 3, 5}};
+  const SpectralCurve s{{400, 500, 700}, {1, 3, 5}};
   EXPECT_EQ(s.at(399), 0);
   EXPECT_EQ(s.at(400), 1);
   EXPECT_EQ(s.at(450), 2);
@@ -150,8 +149,8 @@ TEST(Spectrum, ColoursAreTheRightWayRound) {
 }
 
 TEST(Spectrum, EmissionHasLuminanceOneWhateverItsUnit) {
-  const Spectrum lamp{{400, 500, 600, 700}, {1, 2, 3, 1}};
-  Spectrum brighter = lamp;
+  const SpectralCurve lamp{{400, 500, 600, 700}, {1, 2, 3, 1}};
+  SpectralCurve brighter = lamp;
   for (float& v : brighter.values) v *= 1000;
   EXPECT_NEAR(luminance(to_rgb(lamp, SpectrumRole::illuminant)), 1, 1e-5f);
   EXPECT_NEAR(to_rgb(lamp, SpectrumRole::illuminant).r, to_rgb(brighter, SpectrumRole::illuminant).r, 1e-5f);
@@ -174,7 +173,7 @@ TEST(Spectrum, BlackBodiesLieOnThePlanckianLocus) {
 
 TEST(Spectrum, ExtremeBlackBodiesStayFinite) {
   for (const float kelvin : {1e-3f, 1.f, 100.f, 500.f, 1e5f, 1e30f}) {
-    const Spectrum body = blackbody(kelvin);
+    const SpectralCurve body = blackbody(kelvin);
     for (const float value : body.values) EXPECT_TRUE(std::isfinite(value) && value >= 0 && value <= 1.0001f) << kelvin;
     EXPECT_TRUE(is_finite(to_rgb(body, SpectrumRole::illuminant))) << kelvin;
   }
@@ -186,8 +185,8 @@ float fresnel(float eta, float k) { return ((eta - 1) * (eta - 1) + k * k) / ((e
 // Averaging eta and k first, as an RGB renderer must, against averaging the reflectance over wavelength.
 TEST(Spectrum, MetalsKeepTheirColour) {
   for (const std::string metal : {"Ag", "Al", "Au", "Cu", "CuZn"}) {
-    const Spectrum eta = *named_spectrum("metal-" + metal + "-eta"), k = *named_spectrum("metal-" + metal + "-k");
-    Spectrum reflectance;
+    const SpectralCurve eta = *named_spectrum("metal-" + metal + "-eta"), k = *named_spectrum("metal-" + metal + "-k");
+    SpectralCurve reflectance;
     for (float nm = 360; nm <= 830; ++nm) {
       reflectance.nm.push_back(nm);
       reflectance.values.push_back(fresnel(eta.at(nm), k.at(nm)));

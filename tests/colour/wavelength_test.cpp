@@ -27,18 +27,18 @@ TEST(Hue, IsWhiteOnAverageAndNeverNegative) {
 }
 
 TEST(Hue, IsThatOfTheSpectrum) {
-  EXPECT_GT(hue(450).b, 10 * hue(450).g);
-  EXPECT_GT(hue(530).g, 10 * std::max(hue(530).r, hue(530).b));
-  EXPECT_GT(hue(640).r, 10 * std::max(hue(640).g, hue(640).b));
-  EXPECT_GT(std::min(hue(575).r, hue(575).g), 10 * hue(575).b);  // yellow
+  EXPECT_GT(hue(450)[2], 10 * hue(450)[1]);
+  EXPECT_GT(hue(530)[1], 10 * std::max(hue(530)[0], hue(530)[2]));
+  EXPECT_GT(hue(640)[0], 10 * std::max(hue(640)[1], hue(640)[2]));
+  EXPECT_GT(std::min(hue(575)[0], hue(575)[1]), 10 * hue(575)[2]);  // yellow
 }
 
 /// The largest difference from white, of any colour, of the mean hue of `count` iterations from `first` on, `step` apart.
 float difference_from_white(std::uint64_t seed, int first, int count, int step = 1) {
-  Rgb sum;
+  Spectrum sum;
   for (int i = 0; i < count; ++i) sum += hue(wavelength_of(seed, static_cast<std::uint64_t>(first + i * step)));
-  const Rgb mean = sum / static_cast<float>(count);
-  return std::max({std::abs(mean.r - 1), std::abs(mean.g - 1), std::abs(mean.b - 1)});
+  const Spectrum mean = sum / static_cast<float>(count);
+  return std::max({std::abs(mean[0] - 1), std::abs(mean[1] - 1), std::abs(mean[2] - 1)});
 }
 
 // A colour's share of n independent wavelengths has a standard deviation of about 1 / sqrt(n): 0.25 of 16, 0.06 of 256.

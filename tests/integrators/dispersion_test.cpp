@@ -147,7 +147,8 @@ std::array<Channel, 3> expected_bow() {
   for (int i = 0; i < kBowIterations; ++i) {
     const std::int16_t nm = wavelength_of(0, static_cast<std::uint64_t>(i));
     const double eta = double{water->eta_at({.nm = nm})};
-    const auto add = [&](double back, double out, double power, const Rgb& of) {  // angles to the axis: of ray and exit
+    const auto add = [&](double back, double out, double power,
+                         const Spectrum& of) {  // angles to the axis: of ray and exit
       const double place = std::sin(out) + (100 - std::cos(out)) * std::tan(back);
       if (back > 1.5 || place < 78 || place > 95) return;
       for (std::size_t c = 0; c < 3; ++c) {
@@ -163,7 +164,7 @@ std::array<Channel, 3> expected_bow() {
       };
       const double mirrored = fresnel(eta), back = 4 * inside - 2 * in;
       add(back + spread, back + in + spread, (1 - mirrored) * mirrored * (1 - mirrored), hue(nm));
-      add(2 * in - spread, in - spread, fresnel(double{water->eta()}), Rgb(1));  // by the drop's front
+      add(2 * in - spread, in - spread, fresnel(double{water->eta()}), Spectrum(1));  // by the drop's front
     }
   }
   for (Channel& channel : channels) channel.place /= channel.sum;

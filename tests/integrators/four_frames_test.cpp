@@ -20,15 +20,17 @@ class Twins {
   }
   void see(int lane, const Rgb& radiance) { single_[lane].see(radiance, 1000), four_.see(lane, radiance, 1000); }
   void absorb(FrameSet frames, const std::array<PassSums, 4>& own, const PassSums& shared, const Rgb& throughput) {
+    const Palette& palette = Palette::rgb();
     FourSums sums = FourSums();
     for (int lane = 0; lane < 4; ++lane) {
       const auto at = static_cast<std::size_t>(lane);
       for (std::uint32_t i = 0; i < own[at].M; ++i)
-        sums.add(lanes_of(FrameSet::single(4 + lane), 1), i == 0 ? own[at].phi : Rgb());
+        sums.add(lanes_of(FrameSet::single(4 + lane), 1), i == 0 ? palette.carried(own[at].phi) : Spectrum());
       if (!frames.contains(4 + lane)) continue;
       single_[lane].absorb({own[at].M + shared.M, (own[at].phi + shared.phi) * throughput}, 0.7f);
     }
-    four_.absorb(sums.total(lanes_of(frames, 1), shared, throughput), 0.7f);
+    const FoundFlux found{shared.M, palette.carried(shared.phi)};
+    four_.absorb(sums.total(lanes_of(frames, 1), found, palette.carried(throughput), palette), 0.7f);
   }
   void expect_same() const {
     for (int lane = 0; lane < 4; ++lane) EXPECT_TRUE(same(single_[lane], four_.of(lane))) << lane;

@@ -97,7 +97,7 @@ class LightTracer {
   /// light across the shading normal.
   static Rgb density(const Arrival& at, const Bsdf& bsdf, LobeSet lobes, const Vec3& out) {
     const float cosine = std::abs(dot(at.in, at.point.ns) / dot(at.in, at.point.ng));
-    return at.flux * bsdf.evaluate(out, at.in, Transport::radiance, lobes) * cosine;
+    return at.flux * Palette::rgb().seen(bsdf.evaluate(out, at.in, Transport::radiance, lobes)) * cosine;
   }
 
   void connect(const Arrival& at, const Bsdf& bsdf, LobeSet lobes, Walk& walk) const {
@@ -135,7 +135,7 @@ class LightTracer {
     const auto sample = bsdf.sample(at.in, {walk.number(), walk.number(), walk.number()}, Transport::flux, lobes);
     if (!sample) return {};
     out = sample->wi;
-    return at.flux * sample->weight;
+    return at.flux * Palette::rgb().seen(sample->weight);
   }
 
   const Scene& scene_;

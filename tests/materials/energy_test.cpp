@@ -32,7 +32,7 @@ double integral(const Bsdf& bsdf, const Vec3& wo) {
     for (int column = 0; column < kColumns; ++column) {
       const float z = 2 * (static_cast<float>(row) + 0.5f) / kRows - 1;
       const Vec3 wi = direction(z, 2 * kPi * (static_cast<float>(column) + 0.5f) / kColumns);
-      const Rgb f = bsdf.evaluate(wo, wi, Transport::flux, bsdf.all_lobes());
+      const Spectrum f = bsdf.evaluate(wo, wi, Transport::flux, bsdf.all_lobes());
       for (int c = 0; c < 3; ++c) sums[c] += static_cast<double>(f[c] * std::abs(z));
     }
   return *std::max_element(sums, sums + 3) * 4 * std::acos(-1.) / (kRows * kColumns);
@@ -67,8 +67,8 @@ TEST(Energy, DiffuseTransmissionSendsAShareToEachSide) {
     BsdfSlot slot;
     const Bsdf& bsdf = material->bsdf(surface(), slot);
     const Vec3 wo = direction(-0.4f, 1);
-    const float reflected = bsdf.evaluate(wo, direction(-0.9f, 3), Transport::radiance, 1).g,
-                transmitted = bsdf.evaluate(wo, direction(0.2f, 2), Transport::radiance, 1).g;
+    const float reflected = bsdf.evaluate(wo, direction(-0.9f, 3), Transport::radiance, 1)[1],
+                transmitted = bsdf.evaluate(wo, direction(0.2f, 2), Transport::radiance, 1)[1];
     return Vec2{reflected * kPi, transmitted * kPi};
   };
   const auto expect = [](const Vec2& share, float reflected, float transmitted) {
@@ -98,13 +98,13 @@ TEST(Energy, TintOfPanes) {
   const auto through = [&](float cos) {
     return bsdf.sample(direction(cos, 1), {0, 0, 0.9999f}, Transport::radiance, 2)->weight;
   };
-  EXPECT_NEAR(through(1).r, 0.96 * 0.96 / (1 - 0.0016), 1e-5);
-  EXPECT_NEAR(through(1).g, 0.96 * 0.96 * 0.5 / (1 - 0.25 * 0.0016), 1e-5);
-  EXPECT_EQ(through(1).b, 0);
-  EXPECT_NEAR(through(0.5f).g / through(0.5f).r, std::pow(0.5, 1 / std::sqrt(1 - 0.75 / 2.25)), 5e-3);
-  const Rgb mirrored = bsdf.sample({0, 0, 1}, {0, 0, 0}, Transport::radiance, 1)->weight;
-  EXPECT_NEAR(mirrored.b, 0.04, 1e-6);
-  EXPECT_NEAR(mirrored.r, 0.04 + 0.96 * 0.96 * 0.04 / (1 - 0.0016), 1e-6);
+  EXPECT_NEAR(through(1)[0], 0.96 * 0.96 / (1 - 0.0016), 1e-5);
+  EXPECT_NEAR(through(1)[1], 0.96 * 0.96 * 0.5 / (1 - 0.25 * 0.0016), 1e-5);
+  EXPECT_EQ(through(1)[2], 0);
+  EXPECT_NEAR(through(0.5f)[1] / through(0.5f)[0], std::pow(0.5, 1 / std::sqrt(1 - 0.75 / 2.25)), 5e-3);
+  const Spectrum mirrored = bsdf.sample({0, 0, 1}, {0, 0, 0}, Transport::radiance, 1)->weight;
+  EXPECT_NEAR(mirrored[2], 0.04, 1e-6);
+  EXPECT_NEAR(mirrored[0], 0.04 + 0.96 * 0.96 * 0.04 / (1 - 0.0016), 1e-6);
 }
 
 // Normal incidence: R = 4%, so R' = R + T^2 R / (1 - R^2) = 2 R / (1 + R) = 7.692%.
@@ -125,8 +125,8 @@ TEST(Energy, SmoothMetalReflectsFresnel) {
   BsdfSlot slot;
   const auto drawn = copper->bsdf(surface(), slot).sample(direction(0.5f, 1), {}, Transport::flux, 1);
   ASSERT_TRUE(drawn);
-  EXPECT_GT(drawn->weight.r, drawn->weight.g);
-  EXPECT_GT(drawn->weight.g, drawn->weight.b);
+  EXPECT_GT(drawn->weight[0], drawn->weight[1]);
+  EXPECT_GT(drawn->weight[1], drawn->weight[2]);
 }
 
 // Facets that all but lie flat reflect what a smooth surface does.

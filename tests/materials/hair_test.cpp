@@ -10,7 +10,7 @@
 namespace dspm::test {
 namespace {
 
-std::unique_ptr<Material> hair(const Rgb& sigma_a, float beta_m = 0.3f, float beta_n = 0.3f) {
+std::unique_ptr<Material> hair(const Spectrum& sigma_a, float beta_m = 0.3f, float beta_n = 0.3f) {
   return make("hair", {rgb("sigma_a", sigma_a), number("beta_m", beta_m), number("beta_n", beta_n)});
 }
 
@@ -40,7 +40,7 @@ double angle_between(double a, double b) { return std::remainder(a - b, 2 * std:
 TEST(Hair, PathsThroughTheCrossSectionAreThoseOfRays) {
   const float eta = 1.55f, sigma = 0.7f;
   for (const float h : {-0.95f, -0.5f, 0.f, 0.3f, 0.8f}) {
-    const FibrePassage passage(0, 1, h, eta, Rgb(sigma));
+    const FibrePassage passage(0, 1, h, eta, Spectrum(sigma));
     const DoubleVec3 entry{double{h}, 0, std::sqrt(1 - double{h} * h)}, in{0, 0, -1};  // (y, -, z)
     const DoubleVec3 n{0, entry.x, entry.z};
     const double from = azimuth(DoubleVec3{0, 0, 1});
@@ -59,7 +59,7 @@ TEST(Hair, PathsThroughTheCrossSectionAreThoseOfRays) {
                  t = std::exp(-double{sigma} * way);
     const double expected[] = {f, (1 - f) * (1 - f) * t, (1 - f) * (1 - f) * t * t * f,
                                (1 - f) * (1 - f) * t * t * f * t * f / (1 - t * f)};
-    for (std::size_t p = 0; p < 4; ++p) EXPECT_NEAR(passage.attenuation[p].g, expected[p], 1e-5) << h << " " << p;
+    for (std::size_t p = 0; p < 4; ++p) EXPECT_NEAR(passage.attenuation[p][1], expected[p], 1e-5) << h << " " << p;
   }
 }
 
@@ -71,7 +71,7 @@ double integral(const Bsdf& bsdf, const Vec3& wo, Transport transport, const Vec
     for (int column = 0; column < kColumns; ++column) {
       const float z = 2 * (static_cast<float>(row) + 0.5f) / kRows - 1;
       const Vec3 w = direction(z, 2 * kPi * (static_cast<float>(column) + 0.5f) / kColumns), wi{w.z, w.x, w.y};
-      sum += static_cast<double>(bsdf.evaluate(wo, wi, transport, 1).g * std::abs(dot(wi, ns)));
+      sum += static_cast<double>(bsdf.evaluate(wo, wi, transport, 1)[1] * std::abs(dot(wi, ns)));
     }
   return sum * 4 * std::acos(-1.) / (kRows * kColumns);
 }
@@ -83,11 +83,11 @@ TEST(Hair, PassagesAreFinite) {
     for (const float sin : {-1.f, -0.8f, -0.51f, 0.f, 0.3f, 1.f})
       for (const float h : {-1.f, 0.f, 0.5f, 1.f})
         for (const float sigma : {0.f, 1.f, 1e30f}) {
-          const FibrePassage passage(sin, cos_of(sin), h, eta, Rgb(sigma));
+          const FibrePassage passage(sin, cos_of(sin), h, eta, Spectrum(sigma));
           float sum = 0;
-          for (const Rgb& a : passage.attenuation) {
-            EXPECT_TRUE(is_finite(a) && a.r >= 0) << eta << " " << sin << " " << h << " " << sigma;
-            sum += a.r;
+          for (const Spectrum& a : passage.attenuation) {
+            EXPECT_TRUE(is_finite(a) && a[0] >= 0) << eta << " " << sin << " " << h << " " << sigma;
+            sum += a[0];
           }
           EXPECT_LE(sum, 1 + 1e-5f);
           for (const int p : {0, 1, 2}) EXPECT_TRUE(std::isfinite(passage.turn(p)));
@@ -96,7 +96,7 @@ TEST(Hair, PassagesAreFinite) {
 
 TEST(Hair, WhiteFibresLoseNothing) {
   for (const Roughness& r : kRoughness) {
-    const auto material = hair(Rgb(0), r.along, r.around);
+    const auto material = hair(Spectrum(0), r.along, r.around);
     for (const float h : {-0.9f, 0.f, 0.6f})
       for (const Vec3& wo : {Vec3{0, 0, 1}, normalize(Vec3{1, 0.3f, -1}), normalize(Vec3{-2, 1, 0.2f})}) {
         const SurfacePoint point = facing(wo, h);
@@ -104,7 +104,7 @@ TEST(Hair, WhiteFibresLoseNothing) {
         const Bsdf& bsdf = material->bsdf(point, slot);
         EXPECT_NEAR(integral(bsdf, wo, Transport::radiance, point.ns), 1, 0.01) << r.along << " " << h << " " << wo.x;
         const PathRandom random(11, Stream::setup, 0, 0);
-        EXPECT_NEAR(albedo(bsdf, wo, Transport::radiance, random, 1000).mean.g, 1, 1e-3f);
+        EXPECT_NEAR(albedo(bsdf, wo, Transport::radiance, random, 1000).mean[1], 1, 1e-3f);
       }
   }
 }
@@ -135,8 +135,8 @@ TEST(Hair, IsReciprocalOnSurfaces) {
     const Bsdf& bsdf = material->bsdf(point, slot);
     for (int n = 0; n < 500; ++n) {
       const Vec3 wo = any_direction(random, n), wi = any_direction(random, 10'000 + n);
-      const Rgb flux = bsdf.evaluate(wo, wi, Transport::flux, 1),
-                radiance = bsdf.evaluate(wi, wo, Transport::radiance, 1);
+      const Spectrum flux = bsdf.evaluate(wo, wi, Transport::flux, 1),
+                     radiance = bsdf.evaluate(wi, wo, Transport::radiance, 1);
       for (int c = 0; c < 3; ++c) EXPECT_NEAR(flux[c], radiance[c], 1e-3f * radiance[c] + 1e-6f);
     }
   }
@@ -152,9 +152,9 @@ TEST(Hair, PhotonsAreScatteredAsCameraPathsAreBackwards) {
     const SurfacePoint seen = facing(camera, 0.4f), lit = facing(light, 0.4f);
     if (std::abs(dot(light, seen.ns)) < 1e-3f || std::abs(dot(camera, lit.ns)) < 1e-3f) continue;
     BsdfSlot slots[2];
-    const Rgb radiance =
+    const Spectrum radiance =
         material->bsdf(seen, slots[0]).evaluate(camera, light, Transport::radiance, 1) * std::abs(dot(light, seen.ns));
-    const Rgb flux =
+    const Spectrum flux =
         material->bsdf(lit, slots[1]).evaluate(light, camera, Transport::flux, 1) * std::abs(dot(camera, lit.ns));
     const float shown = std::hypot(camera.y, camera.z), taken = std::hypot(light.y, light.z);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(flux[c] * taken, radiance[c] * shown, 2e-3f * radiance[c] * shown + 1e-6f);
@@ -171,19 +171,19 @@ TEST(Hair, IsFollowedRatherThanGatheredOn) {
   EXPECT_TRUE(bsdf.transmits(1));
 }
 
-Rgb seen(const Material& material) {
+Spectrum seen(const Material& material) {
   BsdfSlot slot;
   return material.bsdf(surface(), slot).evaluate(direction(0.6f, 2), direction(-0.5f, 1), Transport::radiance, 1);
 }
 
 TEST(Hair, ColoursMeanAbsorption) {
-  const Rgb brown = seen(*make("hair", {}));
+  const Spectrum brown = seen(*make("hair", {}));
   EXPECT_EQ(brown, seen(*make("hair", {number("eumelanin", 1.3f)})));
-  EXPECT_EQ(brown, seen(*hair(Rgb(0.419f, 0.697f, 1.37f) * 1.3f)));
-  EXPECT_EQ(seen(*make("hair", {number("pheomelanin", 2)})), seen(*hair(Rgb(0.187f, 0.4f, 1.05f) * 2)));
+  EXPECT_EQ(brown, seen(*hair(Spectrum(0.419f, 0.697f, 1.37f) * 1.3f)));
+  EXPECT_EQ(seen(*make("hair", {number("pheomelanin", 2)})), seen(*hair(Spectrum(0.187f, 0.4f, 1.05f) * 2)));
   // [Chiang et al. 2016, 4.2] for beta_n = 0.3: (ln 0.5 / 5.888)^2
-  const Rgb grey = seen(*make("hair", {rgb("color", Rgb(0.5f))})), same = seen(*hair(Rgb(0.013857f)));
-  EXPECT_NEAR(grey.g, same.g, 1e-4f * same.g);
+  const Spectrum grey = seen(*make("hair", {rgb("color", Rgb(0.5f))})), same = seen(*hair(Spectrum(0.013857f)));
+  EXPECT_NEAR(grey[1], same[1], 1e-4f * same[1]);
   EXPECT_EQ(grey, seen(*make("hair", {rgb("reflectance", Rgb(0.5f))})));
 }
 

@@ -16,8 +16,10 @@ namespace dspm::test {
 inline Param number(std::string name, float value) {
   return {ParamType::number, std::move(name), {}, std::vector<float>{value}, {}, {}};
 }
-inline Param rgb(std::string name, Rgb c) {
-  return {ParamType::rgb, std::move(name), {}, std::vector<float>{c.r, c.g, c.b}, {}, {}};
+/// `c` is an Rgb, or what a path carries of one in a render in RGB.
+template <class C = Rgb>
+Param rgb(std::string name, const C& c) {
+  return {ParamType::rgb, std::move(name), {}, std::vector<float>{c[0], c[1], c[2]}, {}, {}};
 }
 inline Param text(std::string name, std::string value) {
   return {ParamType::text, std::move(name), {}, std::vector<std::string>{std::move(value)}, {}, {}};
@@ -96,7 +98,7 @@ inline std::vector<Named> principled_materials() {
 inline std::vector<Named> all_materials() {
   std::vector<Named> all;
   all.push_back({"diffuse", make("diffuse", {rgb("reflectance", {0.2f, 0.5f, 0.8f})})});
-  for (const Rgb& through : {Rgb(0.4f, 0.3f, 0), Rgb(0)})
+  for (const Spectrum& through : {Spectrum(0.4f, 0.3f, 0), Spectrum(0)})
     all.push_back({"diffuse transmission", make("diffusetransmission", {rgb("reflectance", {0.5f, 0.2f, 0.3f}),
                                                                         rgb("transmittance", through)})});
   all.push_back({"smooth conductor", make("conductor", {})});

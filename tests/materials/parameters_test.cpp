@@ -52,7 +52,7 @@ TEST(Parameters, EveryPluginDescribesItself) {
 TEST(Parameters, DiffuseDefault) {
   const auto material = make("diffuse", {});
   BsdfSlot slot;
-  EXPECT_NEAR(material->bsdf(surface(), slot).lambertian(1)->r, 0.5f / kPi, 1e-7f);
+  EXPECT_NEAR(material->bsdf(surface(), slot).lambertian(1).value()[0], 0.5f / kPi, 1e-7f);
 }
 
 TEST(Parameters, BodiesAreOfGlass) {
@@ -96,7 +96,7 @@ TEST(Parameters, TexturesAreLookedUp) {
   ParamReader reader(list, "material \"diffuse\"", {}, diagnostics);
   const auto material = material_plugins().find("diffuse")->make(reader, MaterialContext{textures});
   BsdfSlot slot;
-  EXPECT_EQ(material->bsdf(surface(), slot).lambertian(1), Rgb(1, 0.5f, 0) / kPi);  // clamped to what is possible
+  EXPECT_EQ(material->bsdf(surface(), slot).lambertian(1), Spectrum(1, 0.5f, 0) / kPi);  // clamped to what is possible
   EXPECT_TRUE(diagnostics.all().empty());
 }
 
@@ -152,10 +152,10 @@ TEST(Parameters, SharesLieInTheUnitInterval) {
 TEST(Parameters, AttenuationIsAbsorption) {
   for (const char* type : {"dielectric", "principled"}) {
     const auto amber = make(type, {rgb("attenuationcolor", {0.9f, 0.5f, 0.1f}), number("attenuationdistance", 2)});
-    EXPECT_NEAR(std::exp(-2 * amber->absorption().g), 0.5f, 1e-6f) << type;
-    EXPECT_NEAR(std::exp(-4 * amber->absorption().r), 0.81f, 1e-6f) << type;
-    EXPECT_EQ(make(type, {})->absorption(), Rgb(0));
-    EXPECT_TRUE(std::isfinite(make(type, {rgb("attenuationcolor", Rgb(0))})->absorption().r));
+    EXPECT_NEAR(std::exp(-2 * amber->absorption(Palette::rgb())[1]), 0.5f, 1e-6f) << type;
+    EXPECT_NEAR(std::exp(-4 * amber->absorption(Palette::rgb())[0]), 0.81f, 1e-6f) << type;
+    EXPECT_EQ(make(type, {})->absorption(Palette::rgb()), Spectrum(0));
+    EXPECT_TRUE(std::isfinite(make(type, {rgb("attenuationcolor", Rgb(0))})->absorption(Palette::rgb())[0]));
     EXPECT_TRUE(contains(said(type, {number("attenuationdistance", 0)}), "must be above 0"));
   }
 }

@@ -25,7 +25,7 @@ TEST(Principled, SteepMirrorsAreNotBlack) {
       BsdfSlot slot;
       const Bsdf& bsdf = metal->bsdf(leaning(degrees), slot);
       const PathRandom random(11, Stream::setup, 0, 0);
-      const float albedo = test::albedo(bsdf, {0, 0, 1}, Transport::radiance, random, 20'000).mean.r;
+      const float albedo = test::albedo(bsdf, {0, 0, 1}, Transport::radiance, random, 20'000).mean[0];
       EXPECT_GE(albedo, roughness == 0 ? 0.999f : 0.6f) << roughness << " " << degrees;
       EXPECT_LE(albedo, 1.01f) << roughness << " " << degrees;
       const auto drawn = bsdf.sample({0, 0, 1}, {0.5f, 0.5f, 0}, Transport::radiance, 1);
@@ -47,12 +47,12 @@ TEST(Principled, CoatsFollowTheShape) {
     const auto drawn = bsdf.sample(wo, {0.5f, 0.5f, 0}, Transport::radiance, 8);
     ASSERT_TRUE(drawn && drawn->specular);
     EXPECT_NEAR(length(drawn->wi - Vec3{-wo.x, -wo.y, wo.z}), 0, 3e-4f);
-    EXPECT_NEAR(drawn->weight.g, fresnel_dielectric(wo.z, 1.5f), 1e-4f);
+    EXPECT_NEAR(drawn->weight[1], fresnel_dielectric(wo.z, 1.5f), 1e-4f);
     const auto back = bsdf.sample(drawn->wi, {0.5f, 0.5f, 0}, Transport::flux, 8);
     ASSERT_TRUE(back);
     // Veach's correction for shading normals, which integrators apply, makes them the same.
     const Vec3 ns = leaning(20).ns;
-    EXPECT_NEAR(back->weight.g * dot(drawn->wi, ns) / dot(wo, ns), drawn->weight.g, 1e-4f);
+    EXPECT_NEAR(back->weight[1] * dot(drawn->wi, ns) / dot(wo, ns), drawn->weight[1], 1e-4f);
   }
 }
 
@@ -68,10 +68,10 @@ TEST(Principled, LeaningLobesAreSampledAsTheyAre) {
       const auto drawn = bsdf.sample(wo, three_numbers(random, n), transport, bsdf.all_lobes());
       if (!drawn) continue;
       EXPECT_NEAR(bsdf.pdf_w(wo, drawn->wi, transport, bsdf.all_lobes()) / drawn->pdf_w, 1, 1e-3f);
-      const Rgb f = bsdf.evaluate(wo, drawn->wi, transport, bsdf.all_lobes());
+      const Spectrum f = bsdf.evaluate(wo, drawn->wi, transport, bsdf.all_lobes());
       const Transport other = transport == Transport::radiance ? Transport::flux : Transport::radiance;
-      const Rgb exchanged = bsdf.evaluate(drawn->wi, wo, other, bsdf.all_lobes());
-      EXPECT_NEAR(exchanged.g, f.g, 1e-3f * f.g + 1e-6f);
+      const Spectrum exchanged = bsdf.evaluate(drawn->wi, wo, other, bsdf.all_lobes());
+      EXPECT_NEAR(exchanged[1], f[1], 1e-3f * f[1] + 1e-6f);
     }
 }
 
@@ -85,9 +85,9 @@ TEST(Principled, PureGlassIsDielectric) {
   const PathRandom random(5, Stream::setup, 12, 0);
   for (int n = 0; n < 2000; ++n) {
     const Vec3 wo = any_direction(random, n), wi = any_direction(random, 5000 + n);
-    const Rgb f = ours.evaluate(wo, wi, Transport::radiance, 3),
-              expected = known.evaluate(wo, wi, Transport::radiance, 3);
-    const Rgb tint = wo.z * wi.z > 0 ? Rgb(1) : Rgb(0.5f, std::sqrt(0.5f), 1);
+    const Spectrum f = ours.evaluate(wo, wi, Transport::radiance, 3),
+                   expected = known.evaluate(wo, wi, Transport::radiance, 3);
+    const Spectrum tint = wo.z * wi.z > 0 ? Spectrum(1) : Spectrum(0.5f, std::sqrt(0.5f), 1);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(f[c], expected[c] * tint[c], 2e-3f * expected[c] + 1e-5f);
   }
 }
@@ -105,14 +105,14 @@ TEST(Principled, SmoothGlassIsDielectric) {
       ASSERT_EQ(drawn.has_value(), expected.has_value()) << wo.z;
       if (!drawn) continue;
       EXPECT_NEAR(dot(drawn->wi, expected->wi), 1, 1e-5f);
-      EXPECT_NEAR(drawn->weight.g, expected->weight.g, 1e-3f);
+      EXPECT_NEAR(drawn->weight[1], expected->weight[1], 1e-3f);
       EXPECT_EQ(drawn->eta_scale, expected->eta_scale);
     }
 }
 
 // What a thin wall lets through goes straight on where it is smooth; rough, it is what it mirrors on the other side.
 TEST(Principled, ThinWallsDoNotBendLight) {
-  const Rgb tint(0.9f, 0.5f, 0.2f);
+  const Spectrum tint(0.9f, 0.5f, 0.2f);
   const auto pane = make("principled", {number("transmission", 1), number("roughness", 0), flag("thin", true),
                                         number("eta", 1.4f), rgb("basecolor", tint)});
   EXPECT_FALSE(pane->bounds_a_body());
@@ -140,10 +140,10 @@ TEST(Principled, RoughThinWallsPassAsTheyMirror) {
   for (int n = 0; n < 500; ++n) {
     Vec3 wo = any_direction(random, n), wi = any_direction(random, 5000 + n);
     wo.z = std::abs(wo.z), wi.z = std::abs(wi.z);
-    const Rgb both =
+    const Spectrum both =
         ours.evaluate(wo, wi, Transport::radiance, 1) + ours.evaluate(wo, {wi.x, wi.y, -wi.z}, Transport::radiance, 2);
-    const float expected = white.evaluate(wo, wi, Transport::radiance, 1).r;
-    EXPECT_NEAR(both.r, expected, 1e-4f * expected + 1e-5f);
+    const float expected = white.evaluate(wo, wi, Transport::radiance, 1)[0];
+    EXPECT_NEAR(both[0], expected, 1e-4f * expected + 1e-5f);
   }
 }
 
@@ -156,9 +156,9 @@ TEST(Principled, LeavesDiffuseOnBothSides) {
   EXPECT_TRUE(bsdf.transmits(4));
   for (const float side : {1.f, -1.f}) {
     const Vec3 wo = direction(0.6f * side, 1), here = direction(0.4f * side, 4), beyond = direction(-0.4f * side, 4);
-    const Rgb mirrored = bsdf.evaluate(wo, here, Transport::radiance, 4),
-              passed = bsdf.evaluate(wo, beyond, Transport::radiance, 4);
-    const Rgb base(0.8f, 0.4f, 0.2f), other(0.2f, 0.4f, 0.8f);
+    const Spectrum mirrored = bsdf.evaluate(wo, here, Transport::radiance, 4),
+                   passed = bsdf.evaluate(wo, beyond, Transport::radiance, 4);
+    const Spectrum base(0.8f, 0.4f, 0.2f), other(0.2f, 0.4f, 0.8f);
     for (int c = 0; c < 3; ++c) {
       EXPECT_NEAR(mirrored[c] * kPi, 0.75f * base[c], 1e-4f);
       EXPECT_NEAR(passed[c] * kPi, 0.25f * other[c], 1e-4f);
@@ -171,7 +171,7 @@ TEST(Principled, LeavesDiffuseOnBothSides) {
 // [glTF 2.0, KHR_materials_specular: F0 = min(F0 x specularColor, 1) x specular, F90 = specular]
 TEST(Principled, SpecularColourIsThatStraightOn) {
   for (const float specular : {1.f, 0.4f})
-    for (const Rgb& colour : {Rgb(1, 0.5f, 0), Rgb(1.184f, 5.441f, 13.276f), Rgb(25, 100, 1e6f)}) {
+    for (const Spectrum& colour : {Spectrum(1, 0.5f, 0), Spectrum(1.184f, 5.441f, 13.276f), Spectrum(25, 100, 1e6f)}) {
       const auto paint =
           make("principled", {number("roughness", 0), rgb("specularcolor", colour), number("specular", specular)});
       BsdfSlot slot;
@@ -195,7 +195,7 @@ TEST(Principled, RoughFacetsMirrorTheSpecularColour) {
     const auto paint =
         make("principled", {number("roughness", 0.2f), rgb("basecolor", Rgb(0)), rgb("specularcolor", Rgb(colour))});
     BsdfSlot slot;
-    return paint->bsdf(surface(), slot).evaluate({0, 0, 1}, {0, 0, 1}, Transport::radiance, 1).r;
+    return paint->bsdf(surface(), slot).evaluate({0, 0, 1}, {0, 0, 1}, Transport::radiance, 1)[0];
   };
   const float usual = mirrored(1);
   EXPECT_NEAR(mirrored(5.441f) / usual, 5.441f, 0.01f);
@@ -216,8 +216,8 @@ TEST(Principled, RotationTurnsHighlights) {
   for (int n = 0; n < 200; ++n) {
     Vec3 wo = any_direction(random, n), wi = any_direction(random, 5000 + n);
     wo.z = std::abs(wo.z), wi.z = std::abs(wi.z);
-    const float expected = along.evaluate(wo, wi, Transport::radiance, 1).g;
-    EXPECT_NEAR(across.evaluate(quarter(wo), quarter(wi), Transport::radiance, 1).g, expected,
+    const float expected = along.evaluate(wo, wi, Transport::radiance, 1)[1];
+    EXPECT_NEAR(across.evaluate(quarter(wo), quarter(wi), Transport::radiance, 1)[1], expected,
                 1e-3f * expected + 1e-5f);
   }
 }
@@ -233,7 +233,7 @@ TEST(Principled, RotationGoesTowardsTheSecondTangent) {
   const Bsdf &one = brushed->bsdf(point, slots[0]), &other = brushed->bsdf(mirrored, slots[1]);
   const auto f = [&](const Bsdf& bsdf, float y) {
     const Vec3 across = normalize(basis.x + basis.y * y);
-    return bsdf.evaluate(normalize(point.ns + across * 0.8f), point.ns, Transport::radiance, 1).g;
+    return bsdf.evaluate(normalize(point.ns + across * 0.8f), point.ns, Transport::radiance, 1)[1];
   };
   EXPECT_GT(f(one, 1), 1.5f * f(one, -1));
   EXPECT_NEAR(f(other, -1), f(one, 1), 1e-3f * f(one, 1));
@@ -250,8 +250,8 @@ TEST(Principled, MetalHasSchlicksFresnelTerm) {
     const float edge = std::pow(1 - cos, 5.f);
     const auto drawn = bsdf.sample(direction(cos, 1), {}, Transport::flux, 1);
     ASSERT_TRUE(drawn && drawn->specular);
-    EXPECT_NEAR(drawn->weight.r, 0.9f + 0.1f * edge, 1e-3f);
-    EXPECT_NEAR(drawn->weight.b, 0.1f + 0.9f * edge, 1e-3f);
+    EXPECT_NEAR(drawn->weight[0], 0.9f + 0.1f * edge, 1e-3f);
+    EXPECT_NEAR(drawn->weight[2], 0.1f + 0.9f * edge, 1e-3f);
   }
 }
 
@@ -270,7 +270,7 @@ TEST(Principled, LobesByRoughness) {
 
 // Frames with other colours stay one path: they draw the same directions with the same densities.
 TEST(Principled, ColoursDrawAlike) {
-  const auto plastic = [](Rgb base) { return make("principled", {rgb("basecolor", base), number("coat", 0.5f)}); };
+  const auto plastic = [](Spectrum base) { return make("principled", {rgb("basecolor", base), number("coat", 0.5f)}); };
   const auto red = plastic({0.8f, 0.1f, 0.1f}), blue = plastic({0.1f, 0.2f, 0.7f});
   BsdfSlot slots[2];
   const Bsdf &a = red->bsdf(surface(), slots[0]), &b = blue->bsdf(surface(), slots[1]);
@@ -286,7 +286,7 @@ TEST(Principled, ColoursDrawAlike) {
   }
   const auto ratio = a.ratio_to(b, 4);
   ASSERT_TRUE(ratio);
-  EXPECT_NEAR(ratio->g, 0.5f, 1e-3f);
+  EXPECT_NEAR(ratio.value()[1], 0.5f, 1e-3f);
   EXPECT_FALSE(a.ratio_to(b, 5));
 }
 

@@ -185,8 +185,8 @@ TEST(Dispersion, ColoursWhatIsRefractedOnce) {
         return s->weight;
       };
       const Vec3 above = from_above(0.3), below = from_below(0.2);
-      const auto ratio_is_hue = [](const Rgb& weight, const Rgb& plain, bool hued) {
-        const Rgb expected = hued ? hue(450) : Rgb(1);
+      const auto ratio_is_hue = [](const Spectrum& weight, const Spectrum& plain, bool hued) {
+        const Spectrum expected = hued ? hue(450) : Spectrum(1);
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(weight[c], plain[c] * expected[c], 1e-4f);
       };
       const Wavelength light{.nm = 450}, camera{.nm = 450, .weighs = true}, coloured{450, true, true};

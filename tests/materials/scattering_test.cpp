@@ -14,7 +14,7 @@ constexpr std::uint64_t kSeed = 5;
 
 std::string text(const Vec3& v) { return fmt::format("({} {} {})", v.x, v.y, v.z); }
 
-void expect_near(const Rgb& a, const Rgb& b, float relative, const std::string& what) {
+void expect_near(const Spectrum& a, const Spectrum& b, float relative, const std::string& what) {
   for (int c = 0; c < 3; ++c)
     EXPECT_NEAR(a[c], b[c], relative * std::max(std::abs(a[c]), std::abs(b[c])) + 5e-6f) << what;
 }
@@ -71,7 +71,7 @@ TEST(Scattering, TheCameraSeesASurfaceThatNsTurnsAway) {
       const Vec3 twin = w - point.ns * (2 * dot(w, point.ns));
       ASSERT_GT(dot(w, point.ng) * dot(twin, point.ng), 0);
       const auto seen = [&](const Vec3& wo) {
-        Rgb sum;
+        Spectrum sum;
         for (int n = 0; n < 2000; ++n)
           if (const auto drawn = bsdf.sample(wo, three_numbers(random, n), Transport::radiance, bsdf.all_lobes()))
             sum += drawn->weight / 2000;
@@ -92,7 +92,7 @@ TEST(Scattering, NothingGoesAlongTheSurface) {
     const Bsdf& bsdf = each.material->bsdf(surface(), slot);
     for (const Vec3& along : {Vec3{1, 0, 0}, Vec3{0, -1, 0}})
       for (const Vec3& w : directions()) {
-        EXPECT_EQ(bsdf.evaluate(w, along, Transport::radiance, bsdf.all_lobes()), Rgb(0)) << each.name << text(w);
+        EXPECT_EQ(bsdf.evaluate(w, along, Transport::radiance, bsdf.all_lobes()), Spectrum(0)) << each.name << text(w);
         EXPECT_EQ(bsdf.pdf_w(w, along, Transport::radiance, bsdf.all_lobes()), 0) << each.name << text(w);
       }
   }
@@ -117,7 +117,7 @@ TEST(Scattering, LobesAddUp) {
     const PathRandom random(kSeed, Stream::setup, 3, 0);
     for (int n = 0; n < 300; ++n) {
       const Vec3 wo = any_direction(random, n), wi = any_direction(random, 1000 + n);
-      Rgb sum;
+      Spectrum sum;
       for (const LobeSet lobe : std::initializer_list<LobeSet>{1, 2, 4, 8, 128})
         sum += bsdf.evaluate(wo, wi, Transport::flux, lobe);
       expect_near(sum, bsdf.evaluate(wo, wi, Transport::flux, bsdf.all_lobes()), 1e-5f, name);
@@ -170,7 +170,7 @@ TEST(Scattering, SharesOfRoughGlass) {
         u.z = 0;
         const auto alone = bsdf.sample(wo, u, Transport::flux, 1), both = bsdf.sample(wo, u, Transport::flux, 3);
         if (!alone || !both) continue;
-        sum += static_cast<double>(alone->weight.r / both->weight.r);
+        sum += static_cast<double>(alone->weight[0] / both->weight[0]);
         ++count;
       }
       if (count == 100'000) {
@@ -191,11 +191,11 @@ TEST(Scattering, SubsetsOverSharesEstimateTheWhole) {
       constexpr int kSamples = 20'000;
       for (int n = 0; n < kSamples; ++n) {
         const Vec3 u = three_numbers(random, n);
-        if (const auto drawn = bsdf.sample(wo, u, Transport::flux, all)) whole += static_cast<double>(drawn->weight.g);
+        if (const auto drawn = bsdf.sample(wo, u, Transport::flux, all)) whole += static_cast<double>(drawn->weight[1]);
         for (const LobeSet lobe :
              std::initializer_list<LobeSet>{1, 2, 4, 8})  // the share cancels: chosen with it, divided by it
           if (const auto drawn = bsdf.sample(wo, u, Transport::flux, lobe))
-            parts += static_cast<double>(drawn->weight.g);
+            parts += static_cast<double>(drawn->weight[1]);
       }
       EXPECT_NEAR(whole / kSamples, parts / kSamples, 0.02) << name << text(wo);
     }
@@ -214,8 +214,8 @@ TEST(Scattering, ReciprocityThroughBoundaries) {
     for (int n = 0; n < 2000; ++n) {
       const Vec3 wo = any_direction(random, n), wi = any_direction(random, 10'000 + n);
       const float eta_o = wo.z > 0 ? 1 : eta, eta_i = wi.z > 0 ? 1 : eta;
-      const Rgb forth = bsdf.evaluate(wo, wi, Transport::radiance, bsdf.all_lobes());
-      const Rgb back = bsdf.evaluate(wi, wo, Transport::radiance, bsdf.all_lobes());
+      const Spectrum forth = bsdf.evaluate(wo, wi, Transport::radiance, bsdf.all_lobes());
+      const Spectrum back = bsdf.evaluate(wi, wo, Transport::radiance, bsdf.all_lobes());
       expect_near(forth / (eta_o * eta_o), back / (eta_i * eta_i), 2e-3f, text(wo) + text(wi));
     }
   }
@@ -230,9 +230,9 @@ TEST(Scattering, SmoothGlassScalesRadianceAlone) {
     const auto radiance = bsdf.sample(wo, {0.5f, 0.5f, 0.999999f}, Transport::radiance, 3);
     const auto flux = bsdf.sample(wo, {0.5f, 0.5f, 0.999999f}, Transport::flux, 3);
     ASSERT_TRUE(radiance && flux);
-    EXPECT_EQ(flux->weight, Rgb(1));
+    EXPECT_EQ(flux->weight, Spectrum(1));
     const bool through = flux->wi.z * wo.z < 0;
-    EXPECT_NEAR(radiance->weight.r, through ? 1 / (eta * eta) : 1, 1e-6f);
+    EXPECT_NEAR(radiance->weight[0], through ? 1 / (eta * eta) : 1, 1e-6f);
     if (through) {
       EXPECT_NEAR(length(Vec3{wo.x, wo.y, 0} + eta * Vec3{flux->wi.x, flux->wi.y, 0}), 0, 1e-6f);
     } else {
@@ -264,14 +264,14 @@ TEST(Scattering, LobesByRoughness) {
 // Gathering relies on it: where lambertian() answers, it is what evaluate says wherever light arrives at all.
 TEST(Scattering, LambertianIsEvaluate) {
   for_each_bsdf([](const std::string& name, const Bsdf& bsdf, const SurfacePoint& point) {
-    const std::optional<Rgb> f = bsdf.lambertian(bsdf.all_lobes());
+    const std::optional<Spectrum> f = bsdf.lambertian(bsdf.all_lobes());
     EXPECT_EQ(f.has_value(), name == "diffuse");
     if (!f) return;
     const PathRandom random(kSeed, Stream::setup, 7, 0);
     for (int n = 0; n < 1000; ++n) {
       const Vec3 wo = any_direction(random, n), wi = any_direction(random, 5000 + n);
       const bool arrives = dot(wi, point.ng) * dot(wo, point.ng) > 0 && dot(wi, point.ng) * dot(wi, point.ns) > 0;
-      EXPECT_EQ(bsdf.evaluate(wo, wi, Transport::radiance, 1), arrives ? *f : Rgb(0));
+      EXPECT_EQ(bsdf.evaluate(wo, wi, Transport::radiance, 1), arrives ? *f : Spectrum(0));
     }
   });
 }
@@ -292,7 +292,7 @@ TEST(Scattering, ARatioHoldsForAllDirections) {
       BsdfSlot slots[2];
       const Bsdf &a = one.material->bsdf(surface(), slots[0]), &b = other.material->bsdf(surface(), slots[1]);
       for (const LobeSet lobes : subsets_of(a.all_lobes())) {
-        const std::optional<Rgb> ratio = a.ratio_to(b, lobes);
+        const std::optional<Spectrum> ratio = a.ratio_to(b, lobes);
         if (!ratio || &one == &other) continue;
         ++ratios;
         for (int n = 0; n < 100; ++n) {

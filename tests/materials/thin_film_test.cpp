@@ -29,7 +29,7 @@ double airy(double eta_film, double eta_base, double film_nm, double cos, double
 
 void expect_airy(float eta_film, float eta_base, float cos, float tolerance) {
   for (const float nm : {60.f, 150.f, 320.f, 500.f, 900.f}) {
-    const Rgb ours = ThinFilm(eta_film, nm).over_dielectric(eta_base, cos);
+    const Spectrum ours = ThinFilm(eta_film, nm, Palette::rgb()).over_dielectric(eta_base, cos);
     const auto exact = under_daylight([&](int wave) { return airy(eta_film, eta_base, nm, cos, wave); });
     for (int c = 0; c < 3; ++c)
       EXPECT_NEAR(ours[c], exact[static_cast<std::size_t>(c)], tolerance)
@@ -50,19 +50,20 @@ TEST(ThinFilm, IsCloseToAirysAtAnAngle) {
 }
 
 TEST(ThinFilm, WithoutThicknessThereIsNone) {
-  const ThinFilm none(1.8f, 0);
+  const ThinFilm none(1.8f, 0, Palette::rgb());
   for (const float cos : {1.f, 0.6f, 0.2f, 0.02f}) {
-    const Rgb gold = none.over_metal({0.9f, 0.6f, 0.1f}, cos), glass = none.over_dielectric(1.5f, cos);
+    const Spectrum gold = none.over_metal({0.9f, 0.6f, 0.1f}, cos), glass = none.over_dielectric(1.5f, cos);
     const float edge = std::pow(1 - cos, 5.f);
-    EXPECT_NEAR(gold.r, 0.9f + 0.1f * edge, 1e-5f) << cos;
-    EXPECT_NEAR(gold.b, 0.1f + 0.9f * edge, 1e-5f) << cos;
-    EXPECT_NEAR(glass.g, fresnel_dielectric(cos, 1.5f), 1e-5f) << cos;
+    EXPECT_NEAR(gold[0], 0.9f + 0.1f * edge, 1e-5f) << cos;
+    EXPECT_NEAR(gold[2], 0.1f + 0.9f * edge, 1e-5f) << cos;
+    EXPECT_NEAR(glass[1], fresnel_dielectric(cos, 1.5f), 1e-5f) << cos;
   }
 }
 
 TEST(ThinFilm, WhiteStaysWhite) {
   for (const float nm : {50.f, 300.f, 800.f})
-    for (const float cos : {1.f, 0.5f, 0.1f}) EXPECT_EQ(ThinFilm(1.5f, nm).over_metal(Rgb(1), cos), Rgb(1));
+    for (const float cos : {1.f, 0.5f, 0.1f})
+      EXPECT_EQ(ThinFilm(1.5f, nm, Palette::rgb()).over_metal(Spectrum(1), cos), Spectrum(1));
 }
 
 TEST(ThinFilm, GainsNoMoreThanItSays) {
@@ -70,7 +71,7 @@ TEST(ThinFilm, GainsNoMoreThanItSays) {
     const float most = ThinFilm::most_gain(film, 1.5f);
     for (float nm = 0; nm < 1500; nm += 17)
       for (const float cos : {1.f, 0.8f, 0.5f, 0.3f, 0.1f, 0.01f}) {
-        const Rgb mirrored = ThinFilm(film, nm).over_dielectric(1.5f, cos);
+        const Spectrum mirrored = ThinFilm(film, nm, Palette::rgb()).over_dielectric(1.5f, cos);
         for (int c = 0; c < 3; ++c) {
           ASSERT_TRUE(mirrored[c] >= 0 && mirrored[c] <= 1);
           ASSERT_LE(mirrored[c], fresnel_dielectric(cos, 1.5f) + most + 1e-4f) << film << " " << nm << " " << cos;

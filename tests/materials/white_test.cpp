@@ -23,8 +23,8 @@ Albedos albedos(const Material& material, float side, const std::vector<float>& 
   for (const float cos : {1.f, 0.7f, 0.4f, 0.15f, 0.05f})
     for (const float phi : azimuths) {
       const PathRandom random(11, Stream::setup, 0, 0);
-      const Rgb mean = test::albedo(bsdf, direction(side * cos, phi), Transport::flux, random, 10'000).mean;
-      all.least = std::min(all.least, static_cast<double>(std::min({mean.r, mean.g, mean.b})));
+      const Spectrum mean = test::albedo(bsdf, direction(side * cos, phi), Transport::flux, random, 10'000).mean;
+      all.least = std::min(all.least, static_cast<double>(std::min({mean[0], mean[1], mean[2]})));
       all.most = std::max(all.most, static_cast<double>(max_component(mean)));
     }
   return all;

@@ -54,7 +54,7 @@ TEST(TentativeCollisions, LeaveTheTransmittance) {
       constexpr int kRays = 40'000;
       int passed = 0;
       for (int i = 0; i < kRays; ++i) {
-        TentativeCollisions collisions(majorants, ray, colour);
+        TentativeCollisions collisions(majorants, ray, colour, Palette::rgb());
         bool collides = false;
         while (!collides && collisions.advance(length(along), uniform))
           collides =
@@ -77,8 +77,8 @@ TEST(TentativeCollisions, AddUpTheirDepth) {
     const Vec3 from{-1 + 6 * uniform(), -1 + 4 * uniform(), -1 + 3 * uniform()};
     const Ray ray{from, uniform_sphere({uniform(), uniform()})};
     const auto depth = [&](float step) {
-      Rgb sum;
-      TentativeCollisions collisions(majorants, ray, 0);
+      Spectrum sum;
+      TentativeCollisions collisions(majorants, ray, 0, Palette::rgb());
       for (float end = step; end <= 8; end += step) {
         while (collisions.advance(end, uniform)) sum += collisions.depth();
         sum += collisions.depth();
@@ -86,10 +86,10 @@ TEST(TentativeCollisions, AddUpTheirDepth) {
       }
       return sum;
     };
-    const Rgb whole = depth(8), pieces = depth(0.25f);
-    EXPECT_NEAR(whole.r, pieces.r, 2e-4f) << i;
-    EXPECT_NEAR(whole.g, 2 * whole.r, 2e-4f) << i;
-    EXPECT_EQ(whole.b, 0) << i;
+    const Spectrum whole = depth(8), pieces = depth(0.25f);
+    EXPECT_NEAR(whole[0], pieces[0], 2e-4f) << i;
+    EXPECT_NEAR(whole[1], 2 * whole[0], 2e-4f) << i;
+    EXPECT_EQ(whole[2], 0) << i;
   }
 }
 
@@ -100,7 +100,7 @@ TEST(TentativeCollisions, FillAllSpaceInAMediumWithoutEnd) {
   double sum = 0;
   constexpr int kRays = 20'000;
   for (int i = 0; i < kRays; ++i) {
-    TentativeCollisions collisions(majorants, {{5, 6, 7}, {0, 1, 0}}, TentativeCollisions::kLargest);
+    TentativeCollisions collisions(majorants, {{5, 6, 7}, {0, 1, 0}}, TentativeCollisions::kLargest, Palette::rgb());
     ASSERT_TRUE(collisions.advance(kInfinity, uniform));
     sum += static_cast<double>(collisions.distance()) / kRays;
   }
@@ -114,10 +114,10 @@ TEST(Majorants, HoldForAllStates) {
   const Medium* const states[] = {&slope, &fog};
   const Majorants both(states);
   EXPECT_TRUE(both.is_everywhere());
-  TentativeCollisions collisions(both, {{0, 0, 0}, {1, 0, 0}}, 1);
+  TentativeCollisions collisions(both, {{0, 0, 0}, {1, 0, 0}}, 1, Palette::rgb());
   Uniform uniform;
   ASSERT_TRUE(collisions.advance(kInfinity, uniform));
-  EXPECT_EQ(collisions.majorant(), Rgb(1, 2, 0.5f));
+  EXPECT_EQ(collisions.majorant(), Spectrum(1, 2, 0.5f));
 }
 
 }  // namespace collisions_test

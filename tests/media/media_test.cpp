@@ -164,7 +164,7 @@ TEST(Media, HaveMajorantsBesideAStateThatFillsAllSpace) {
        {medium("uniformgrid", {integer("nx", 2), numbers("density", {3, 9})}, place), medium("cloud", {}, place)}) {
     const Medium* const states[] = {fog.get(), grid.get()};
     const Majorants both(states);
-    TentativeCollisions collisions(both, {{0, 0, 0}, {0, 0, 1}}, TentativeCollisions::kLargest);
+    TentativeCollisions collisions(both, {{0, 0, 0}, {0, 0, 1}}, TentativeCollisions::kLargest, Palette::rgb());
     ASSERT_TRUE(collisions.advance(kInfinity, [] { return 0.5f; }));
     const Rgb most = grid->majorant(*grid->extent());
     for (int c = 0; c < 3; ++c) EXPECT_GE(collisions.majorant()[c], std::max(0.3f, most[c]));

@@ -18,12 +18,12 @@ class Faulty final : public Bsdf {
   Faulty(const SurfacePoint& point, Fault fault) : frame_(point), ng_(point.ng), fault_(fault) {}
 
   LobeSet lobes(float) const override { return 1; }
-  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+  Spectrum evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
     const LocalPair pair(frame_, wo, wi, transport);
-    if (fault_ == Fault::wrong_side && (lobes & 1)) return Rgb(1 / kPi);
-    if (!(lobes & 1) || !pair.reflection()) return Rgb(0);
-    if (fault_ == Fault::no_number && pair.wi.z < 0.1f) return Rgb(kInfinity);
-    return Rgb(value(pair.wo.z));
+    if (fault_ == Fault::wrong_side && (lobes & 1)) return Spectrum(1 / kPi);
+    if (!(lobes & 1) || !pair.reflection()) return Spectrum(0);
+    if (fault_ == Fault::no_number && pair.wi.z < 0.1f) return Spectrum(kInfinity);
+    return Spectrum(value(pair.wo.z));
   }
   float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
     const LocalPair pair(frame_, wo, wi, transport);
@@ -38,7 +38,7 @@ class Faulty final : public Bsdf {
     const auto leaving = frame_.leave(local, side, transport, u.x);
     if (!leaving) return std::nullopt;
     const float pdf_w = leaving->share * density(local.z), weight = value(cos_o) * local.z / pdf_w;
-    return BsdfSample{leaving->wi, Rgb(fault_ == Fault::weight ? 0.9f * weight : weight), pdf_w, false};
+    return BsdfSample{leaving->wi, Spectrum(fault_ == Fault::weight ? 0.9f * weight : weight), pdf_w, false};
   }
   float lobe_probability(const Vec3&, LobeSet lobes) const override { return lobes & 1 ? 1.f : 0.f; }
 

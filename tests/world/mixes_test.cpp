@@ -32,7 +32,7 @@ Rgb paint(const Scene& scene, Frame frame, const SurfacePoint& point) {
   scene.materials[static_cast<std::size_t>(scene.shapes[0].material)].for_each(
       FrameSet::single(frame), [&](FrameSet, const Material& material) {
         BsdfSlot slot;
-        colour = *material.at(point).bsdf(point, slot).lambertian(1) * kPi;
+        colour = scene.palette->seen(*material.at(point).bsdf(point, slot).lambertian(1) * kPi);
       });
   return colour;
 }
@@ -178,7 +178,7 @@ TEST(Mix, ABodyHasOneInside) {
     scene->materials[static_cast<std::size_t>(scene->shapes[0].material)].for_each(
         FrameSet::single(0), [&](FrameSet, const Material& material) {
           EXPECT_TRUE(material.bounds_a_body());
-          EXPECT_NEAR(material.absorption().g, -std::log(0.5f), 1e-5f) << parts;
+          EXPECT_NEAR(material.absorption(Palette::rgb())[1], -std::log(0.5f), 1e-5f) << parts;
         });
   }
   EXPECT_TRUE(contains(error_of(looks + "Material \"mix\" \"string materials\" [\"amber\" \"lime\"]"),

@@ -381,7 +381,7 @@ std::vector<SceneLight::Alike> alike_in(const WorldLight& light, const std::vect
       alike.states.push_back({set, state_of(s)});
       const auto ratio = state_of(s)->ratio_to(*alike.first);
       by_place |= !ratio;
-      alike.factors.push_back({set, ratio.value_or(Rgb())});
+      alike.factors.push_back({set, Palette::rgb().carried(ratio.value_or(Rgb()))});
     }
     if (by_place) alike.factors.clear();
     if (!alike.states.empty()) all.push_back(std::move(alike));

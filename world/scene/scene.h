@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "dspm/accel/accel.h"
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/palette.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/colour/wavelength.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/transform.h"
@@ -29,7 +30,7 @@ class NearbyMoments;
 /// A factor by which frames differ from others.
 struct FrameFactor {
   FrameSet frames;
-  Rgb factor;
+  Spectrum factor;
 };
 
 /// A light with its states.
@@ -93,6 +94,9 @@ class Scene {
   std::vector<FileFrame> file_frames;  // by frame: which of the file it is; ascending, at most kMaxFrames
   Vec3 center;                         // bounding sphere over all frames of the file
   float radius = 1;
+
+  /// What the paths of the iteration at hand carry: its own in a spectral render, which whoever asks for iterations sets.
+  const Palette* palette = &Palette::rgb();
 
   std::vector<PlacedShape> shapes;
   /// The distinct names of objects: what the scene file calls one thing, perhaps several shapes.

@@ -2,31 +2,57 @@
 // operations in the same order, so its values are identical bit for bit.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+
+#include "dspm/base/colour/palette.h"
 #include "dspm/base/colour/rgb.h"
-#include "dspm/base/colour/rgb_lanes.h"
+#include "dspm/base/colour/spectrum.h"
+#include "dspm/base/colour/spectrum_lanes.h"
 #include "dspm/base/math/frame_lanes.h"
 #include "dspm/base/math/simd.h"
 #include "dspm/integrators/methods/pixel_statistics.h"
 
 namespace dspm {
 
-/// PassSums of four frames. M stays below 2^24, where a float is exact: there are fewer photons.
+/// The photons that all frames of a hit point share, and their flux times f.
+struct FoundFlux {
+  std::uint32_t M = 0;
+  Spectrum flux;
+
+  FoundFlux& operator+=(const FoundFlux& o) {
+    M += o.M, flux += o.flux;
+    return *this;
+  }
+};
+
+/// PassSums of four frames; phi is what paths carry until total() sees it. M stays below 2^24, where a float is exact:
+/// there are fewer photons.
 struct FourSums {
   __m128 M, phi[3];
 
   /// Adds photons in the frames of `lanes`.
-  void add(__m128 lanes, const Rgb& flux, float photons = 1) {
+  void add(__m128 lanes, const Spectrum& flux, float photons = 1) {
     M = _mm_add_ps(M, _mm_and_ps(lanes, _mm_set1_ps(photons)));
     for (int c = 0; c < 3; ++c) phi[c] = _mm_add_ps(phi[c], _mm_and_ps(lanes, _mm_set1_ps(flux[c])));
   }
   /// Adds the sums shared by all frames of `lanes` and multiplies by the path's throughput.
-  FourSums total(__m128 lanes, const PassSums& shared, const Rgb& throughput) const {
+  FourSums total(__m128 lanes, const FoundFlux& shared, const Spectrum& throughput, const Palette& palette) const {
     FourSums sums;
     sums.M = _mm_and_ps(lanes, _mm_add_ps(M, _mm_set1_ps(static_cast<float>(shared.M))));
     for (int c = 0; c < 3; ++c)
       sums.phi[c] =
-          _mm_and_ps(lanes, _mm_mul_ps(_mm_add_ps(phi[c], _mm_set1_ps(shared.phi[c])), _mm_set1_ps(throughput[c])));
+          _mm_and_ps(lanes, _mm_mul_ps(_mm_add_ps(phi[c], _mm_set1_ps(shared.flux[c])), _mm_set1_ps(throughput[c])));
+    if (!palette.is_rgb()) sums.see(palette);
     return sums;
+  }
+  void see(const Palette& palette) {
+    __m128 seen[3] = {_mm_setzero_ps(), _mm_setzero_ps(), _mm_setzero_ps()};
+    for (int k = 0; k < 3; ++k) {
+      const Rgb of_one = palette.seen(k);
+      for (int c = 0; c < 3; ++c) seen[c] = _mm_add_ps(seen[c], _mm_mul_ps(phi[k], _mm_set1_ps(of_one[c])));
+    }
+    std::copy_n(seen, 3, phi);
   }
   FourSums& operator+=(const FourSums& o) {
     M = _mm_add_ps(M, o.M);

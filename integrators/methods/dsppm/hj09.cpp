@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/integrators/methods/dsppm/dsppm.h"
@@ -65,13 +66,13 @@ class Hj09 final : public PixelEstimator {
       sums[group] = FourSums();
     });
 
-    PassSums shared;
-    RgbLanes shared_phi;
-    FewListSums<PassSums> lists;
+    FoundFlux shared;
+    SpectrumLanes shared_flux;
+    FewListSums<FoundFlux> lists;
     const float smallest2 = radii.smallest();
-    const auto add_strands = [&](const Strand* strands, FrameSet frames, const Rgb& flux, float photons,
+    const auto add_strands = [&](const Strand* strands, FrameSet frames, const Spectrum& flux, float photons,
                                  float distance2) {
-      for_each_strand(strands, frames, [&](FrameSet alike, const Rgb& weight) {
+      for_each_strand(strands, frames, [&](FrameSet alike, const Spectrum& weight) {
         for_each_group(alike, [&](int group, __m128 there) {
           const __m128 within = _mm_cmple_ps(_mm_set1_ps(distance2), pixel[group].R2());
           sums[group].add(_mm_and_ps(there, within), flux * weight, photons);
@@ -79,23 +80,23 @@ class Hj09 final : public PixelEstimator {
       });
     };
     gather_photons(hit, tile.scattering_of(hit), map, radii.largest(), counts,
-                   [&](const Strand* strands, FrameSet frames, RgbLanes flux, float distance2) {
+                   [&](const Strand* strands, FrameSet frames, SpectrumLanes flux, float distance2) {
                      const bool for_all = frames == hit.frames && distance2 <= smallest2;
                      if (for_all && strands == nullptr)
-                       ++shared.M, shared_phi += flux;
-                     else if (PassSums* sum = for_all && map.is_of_light(strands) ? lists.of(strands) : nullptr)
-                       *sum += {1, flux.rgb()};
+                       ++shared.M, shared_flux += flux;
+                     else if (FoundFlux* sum = for_all && map.is_of_light(strands) ? lists.of(strands) : nullptr)
+                       *sum += {1, flux.spectrum()};
                      else
-                       add_strands(strands, frames, flux.rgb(), 1, distance2);
+                       add_strands(strands, frames, flux.spectrum(), 1, distance2);
                    });
-    shared.phi = shared_phi.rgb();
-    lists.for_each([&](const Strand* list, const PassSums& sum) {
-      add_strands(list, hit.frames, sum.phi, static_cast<float>(sum.M), 0);
+    shared.flux = shared_flux.spectrum();
+    lists.for_each([&](const Strand* list, const FoundFlux& sum) {
+      add_strands(list, hit.frames, sum.flux, static_cast<float>(sum.M), 0);
     });
 
-    for_each_strand(tile.strands.of(hit.strands), hit.frames, [&](FrameSet frames, const Rgb& weight) {
+    for_each_strand(tile.strands.of(hit.strands), hit.frames, [&](FrameSet frames, const Spectrum& weight) {
       for_each_group(frames, [&](int group, __m128 lanes) {
-        const FourSums total = sums[group].total(lanes, shared, hit.throughput * weight);
+        const FourSums total = sums[group].total(lanes, shared, hit.throughput * weight, *tile.palette);
         if (of_.batched)
           passes_.at(hit.pixel, group) += total;
         else

@@ -3,7 +3,9 @@
 // their frames.
 #include <vector>
 
+#include "dspm/base/colour/palette.h"
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/integrators/methods/dsppm/dsppm.h"
 #include "dspm/integrators/photons/gather.h"
@@ -25,16 +27,18 @@ class Kz11 final : public PixelEstimator {
 
   void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) override {
     const float radius2 = search_radius2(hit);
-    const Rgb per_area = hit.throughput / kernel_size(radius2);
+    const Spectrum per_area = hit.throughput / kernel_size(radius2);
     GatheredFlux flux(hit, map);
-    gather_photons(
-        hit, tile.scattering_of(hit), map, radius2, counts,
-        [&](const Strand* strands, FrameSet frames, RgbLanes photon, float) { flux.add(strands, frames, photon); });
+    gather_photons(hit, tile.scattering_of(hit), map, radius2, counts,
+                   [&](const Strand* strands, FrameSet frames, SpectrumLanes photon, float) {
+                     flux.add(strands, frames, photon);
+                   });
     flux.end();
-    for_each_strand(tile.strands.of(hit.strands), hit.frames, [&](FrameSet frames, const Rgb& weight) {
-      const Rgb times = per_area * weight;
-      add(hit.pixel, frames, flux.shared() * times);
-      (frames & flux.with_own()).for_each([&](Frame f) { own_.at(hit.pixel, f) += flux.own(f) * times; });
+    for_each_strand(tile.strands.of(hit.strands), hit.frames, [&](FrameSet frames, const Spectrum& weight) {
+      const Spectrum times = per_area * weight;
+      const auto seen = [&](const Spectrum& brought) { return tile.palette->seen(brought * times); };
+      add(hit.pixel, frames, seen(flux.shared()));
+      (frames & flux.with_own()).for_each([&](Frame f) { own_.at(hit.pixel, f) += seen(flux.own(f)); });
     });
   }
 

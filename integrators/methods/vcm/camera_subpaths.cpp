@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/system/parallel.h"
@@ -70,7 +70,7 @@ class CameraSubpathTracer {
     if (pass_.render.transparent && path.bounces == 0) return;
     const Vec3& w = path.ray.direction;
     for_each_escape(scene_, frames, path.ray, path.bounces,
-                    [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
+                    [&](FrameSet lit, const Spectrum& radiance, const SceneLight& scene_light, const Light& light) {
                       const float next_event =
                           light_samples(scene_, scene_light, path.departure()) * light.escaped_pdf_w(path.ray);
                       const LightStart start{{path.ray.origin, -w}, {}, -1};
@@ -105,7 +105,7 @@ class CameraSubpathTracer {
   }
 
   /// Nothing else finds what media give off: no light subpath starts there.
-  void glowed(const CameraSubpath& passing, FrameSet frames, const Rgb& radiance) {
+  void glowed(const CameraSubpath& passing, FrameSet frames, const Spectrum& radiance) {
     CameraSubpath path = passing;
     path.collide();
     const SceneElement giver = glow_element(scene_, path.inside.medium);
@@ -153,7 +153,7 @@ class CameraSubpathTracer {
   }
 
   void add_emission(const CameraSubpath& path, const Vertex& vertex) {
-    for_each_emission(scene_, vertex, path.frames, [&](FrameSet lit, const Rgb& radiance, const Light& light) {
+    for_each_emission(scene_, vertex, path.frames, [&](FrameSet lit, const Spectrum& radiance, const Light& light) {
       const SceneLight& scene_light = scene_.lights[static_cast<std::size_t>(vertex.shape.light)];
       const SurfacePoint& point = vertex.point;
       const int primitive = vertex.hit.primitive;
@@ -193,7 +193,7 @@ class CameraSubpathTracer {
         const FrameSet common = in_frames & of;
         if (common.empty()) continue;
         const LobeSet lobes = bsdf->all_lobes();
-        const Rgb f = bsdf->evaluate(place.wo, wi, Transport::radiance, lobes);
+        const Spectrum f = bsdf->evaluate(place.wo, wi, Transport::radiance, lobes);
         if (is_black(f)) continue;
         if (!emission) emission = emission_over_next_event(pass_, sample, place.receiver(), area_cosine(place, wi));
         const float hit = sample.pdf_w > 0 ? bsdf->pdf_w(place.wo, wi, Transport::radiance, lobes) / sample.pdf_w : 0;
@@ -203,14 +203,14 @@ class CameraSubpathTracer {
       }
     };
     sample_direct_light(scene_, path, place, frames, counts_, scattered,
-                        [&](FrameSet lit, const Rgb& radiance, auto&& giver) {
+                        [&](FrameSet lit, const Spectrum& radiance, auto&& giver) {
                           add(path, {lit, radiance, nullptr, light_of(giver())}, giver);
                         });
   }
 
   void merge(const CameraSubpath& path, const CameraVertex<Vertex>& camera, FrameSet frames, const Bsdf& bsdf) {
     const auto giver = [&] { return camera.place.material_element(); };
-    Rgb shared;  // by all frames
+    Spectrum shared;  // by all frames
     for_each_merge(pass_, map_, camera, frames, bsdf, gathers_, [&](const Brought& brought) {
       const bool by_all = brought.frames == frames && brought.strands == nullptr && !camera.place.point.turns;
       if (!by_all || !is_light(brought.radiance)) return add(path, brought, giver);
@@ -235,13 +235,13 @@ class CameraSubpathTracer {
                                      : path.weights.camera_scattered(ways_at(pass_.ways, place), sample.pdf_w,
                                                                      scattering.reverse_pdf_w, cosine);
     const float u = path.random.number(path.bounces, kRoulette);
-    const auto roulette = [&](StrandList, FrameSet frames, const Rgb&, const Rgb& after) {
+    const auto roulette = [&](StrandList, FrameSet frames, const Spectrum&, const Spectrum& after) {
       if (!is_light(after)) {
         reject(path, frames, place.scatterer());
-        return Rgb();
+        return Spectrum();
       }
       const float p = roulette_chance(after, branch.eta_scale, path.bounces);
-      return p >= 1 ? after : u < p ? after * (1 / p) : Rgb();
+      return p >= 1 ? after : u < p ? after * (1 / p) : Spectrum();
     };
     const ByRatio by_ratio = path.bounces < kFirstRouletteBounce ? ByRatio::yes : ByRatio::no;
     if (!multiply(branch, factors, strands_, by_ratio, roulette)) branches_.drop();
@@ -250,20 +250,20 @@ class CameraSubpathTracer {
   /// Adds light. `giver` returns its source, which is blamed if it is negative or not finite.
   template <class WhoGave>
   void add(const CameraSubpath& path, const Brought& brought, WhoGave&& giver) {
-    for_each_strand(strands_.of(path.strands), brought.frames, [&](FrameSet alike, const Rgb& own) {
-      for_each_strand(brought.strands, alike, [&](FrameSet frames, const Rgb& weight) {
-        const Rgb seen = path.throughput * own * brought.radiance * weight;
+    for_each_strand(strands_.of(path.strands), brought.frames, [&](FrameSet alike, const Spectrum& own) {
+      for_each_strand(brought.strands, alike, [&](FrameSet frames, const Spectrum& weight) {
+        const Spectrum seen = path.throughput * own * brought.radiance * weight;
         if (!is_light(seen)) return reject(path, frames, giver());
-        sums_.add({frames, seen, path.pixel, brought.light, path.caught, path.of_media});
+        sums_.add({frames, scene_.palette->seen(seen), path.pixel, brought.light, path.caught, path.of_media});
       });
     });
   }
   /// Adds the part of light without strands that is summed up before it is added.
   void add_to_part(const CameraSubpath& path, const Brought& brought) {
-    for_each_strand(strands_.of(path.strands), brought.frames, [&](FrameSet alike, const Rgb& own) {
-      const Rgb seen = path.throughput * own * brought.radiance;
+    for_each_strand(strands_.of(path.strands), brought.frames, [&](FrameSet alike, const Spectrum& own) {
+      const Spectrum seen = path.throughput * own * brought.radiance;
       if (is_light(seen) && !path.caught)
-        sums_.add_to_part({alike, seen, path.pixel, brought.light, false, path.of_media});
+        sums_.add_to_part({alike, scene_.palette->seen(seen), path.pixel, brought.light, false, path.of_media});
     });
   }
   void reject(const CameraPath& path, FrameSet frames, const SceneElement& giver) {

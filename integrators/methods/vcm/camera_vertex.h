@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/rng.h"
 #include "dspm/integrators/methods/vcm/subpath_weights.h"
@@ -27,7 +27,7 @@ struct CameraVertex {
 /// Light that comes along one way, in some frames. `strands` are the light subpath's, still to be multiplied.
 struct Brought {
   FrameSet frames;
-  Rgb radiance;
+  Spectrum radiance;
   const Strand* strands;
   int light;  // into the scene's
 };

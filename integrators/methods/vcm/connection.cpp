@@ -30,7 +30,7 @@ void LightSubpath::load_in_medium(const Scene& scene, const LightVertex& light, 
   const std::size_t first = surfaces_.size();
   scene.media[static_cast<std::size_t>(light.medium)].states.for_each(
       light.frames, [&](FrameSet frames, const Medium& medium) {
-        const MediumProperties here = medium.at(light.p);
+        const CarriedMedium here = carried(medium.at(light.p), *scene.palette);
         surfaces_.push_back({frames, {}});
         surfaces_.back().bsdf.emplace<PhaseBsdf>(here.albedo(), HenyeyGreenstein(here.g));
       });
@@ -46,7 +46,7 @@ FrameSet LightSubpath::join(const VcmPass& pass, const Beginning& camera, std::s
   FrameSet joined;
   for (const Surface& seen : surfaces) {
     const LobeSet lobes = seen.bsdf->all_lobes();
-    const Rgb f = seen.bsdf->evaluate(wo, w, Transport::radiance, lobes);
+    const Spectrum f = seen.bsdf->evaluate(wo, w, Transport::radiance, lobes);
     if ((seen.frames & frames).empty() || is_black(f) || seen.bsdf->enters(w)) continue;
     const float pdf_w = seen.bsdf->pdf_w(wo, w, Transport::radiance, lobes);
     const float reverse_pdf_w = seen.bsdf->pdf_w(w, wo, Transport::flux, lobes);
@@ -54,7 +54,7 @@ FrameSet LightSubpath::join(const VcmPass& pass, const Beginning& camera, std::s
       const FrameSet common = seen.frames & lit.frames & frames;
       if (common.empty()) continue;
       const LobeSet all = lit.bsdf->all_lobes();
-      const Rgb sent = lit.bsdf->evaluate(-w, wi, Transport::radiance, all);
+      const Spectrum sent = lit.bsdf->evaluate(-w, wi, Transport::radiance, all);
       if (is_black(sent) || lit.bsdf->enters(-w)) continue;
       const float light_pdf_w = lit.bsdf->pdf_w(wi, -w, Transport::flux, all);
       const float light_reverse_pdf_w = lit.bsdf->pdf_w(-w, wi, Transport::radiance, all);
@@ -62,8 +62,8 @@ FrameSet LightSubpath::join(const VcmPass& pass, const Beginning& camera, std::s
           pass.ways, {end.vertex->weights, light_reverse_pdf_w, pdf_w * area_of_light, end.vertex->merging},
           {weights, reverse_pdf_w, light_pdf_w * area, merging_after(camera.ways, light_pdf_w)});
       const bool is_alone = camera.is_alone || seen.bsdf->disperses(wo, w);
-      const Rgb sent_on = end.vertex->flux * sent * end.vertex->hue_by(*lit.bsdf, -w, is_alone);
-      const Rgb radiance = sent_on * f * (area_of_light * camera.cosine * weight);
+      const Spectrum sent_on = end.vertex->flux * sent * end.vertex->hue_by(*lit.bsdf, -w, is_alone);
+      const Spectrum radiance = sent_on * f * (area_of_light * camera.cosine * weight);
       parts.add({common, radiance, end.strands, end.vertex->light});
       joined |= common;
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frame_array.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
@@ -44,7 +45,7 @@ class LightSubpath {
       const Ray segment = shadow_ray(place, {w, distance, Rgb(), 0});
       const Inside inside = place.inside_beyond(camera.inside, segment.direction);
       for_each_open(pass.scene, segment, inside, joined, {camera.random, camera.bounces + 1},
-                    [&](FrameSet open, const Rgb& transmittance) {
+                    [&](FrameSet open, const Spectrum& transmittance) {
                       for (const Brought& part : parts)
                         if (const FrameSet lit = part.frames & open; !lit.empty())
                           fn(Brought{lit, part.radiance * transmittance, part.strands, part.light});

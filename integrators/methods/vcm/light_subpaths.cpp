@@ -56,7 +56,7 @@ class LightPathTracer {
       else
         for (const auto& [frames, light] : start.varied->states)
           if (const FrameSet common = frames & start.frames; !common.empty())
-            follow(chosen, {light.get(), common, Rgb(1), 0, nullptr, start.inside}, random);
+            follow(chosen, {light.get(), common, Spectrum(1), 0, nullptr, start.inside}, random);
     }
   }
 
@@ -65,7 +65,7 @@ class LightPathTracer {
     const EmissionNumbers& u = chosen.numbers;
     const auto emission = start.light->emit({u[0], u[1]}, {u[2], u[3]});
     if (!emission || is_black(emission->flux) || !(emission->pdf.position * emission->pdf.direction > 0)) return;
-    const Rgb flux = emission->flux * start.factor / chosen.density;
+    const Spectrum flux = scene_.palette->light(emission->flux) * start.factor / chosen.density;
     if (!is_light(flux) || !is_finite(emission->ray))
       return out_.rejections.add({SceneElement::Kind::light, chosen.light}, start.frames);
     light_ = start.light, scene_light_ = &scene_light, light_index_ = chosen.light, emission_ = *emission;
@@ -154,13 +154,13 @@ class LightPathTracer {
     branch.hidden = path.hidden && sample.specular;
     branch.merging = sample.specular ? pass_.ways.merging : merging_after(pass_.ways, sample.pdf_w);
     const float u = path.random.number(path.bounces, kRoulette);
-    const auto roulette = [&](StrandList, FrameSet frames, const Rgb& before, const Rgb& after) {
+    const auto roulette = [&](StrandList, FrameSet frames, const Spectrum& before, const Spectrum& after) {
       if (!is_light(after)) {
         out_.rejections.add(place.scatterer(), frames);
-        return Rgb();
+        return Spectrum();
       }
       const float p = std::min(1.f, max_component(after) / max_component(before));
-      return p >= 1 ? after : u < p ? after * (1 / p) : Rgb();
+      return p >= 1 ? after : u < p ? after * (1 / p) : Spectrum();
     };
     if (!multiply(branch, factors, out_.strands, ByRatio::yes, roulette)) branches_.drop();
   }
@@ -185,7 +185,7 @@ class LightPathTracer {
     // If the normals disagree about the side, every scattering function is zero.
     const float geometric = dot(vertex.wo, point.ng), shading = dot(vertex.wo, point.ns);
     if (!(geometric * shading > 0)) return;
-    Rgb flux = path.throughput * (point.ns == point.ng ? 1 : shading / geometric);
+    Spectrum flux = path.throughput * (point.ns == point.ng ? 1 : shading / geometric);
     const StrandList strands = out_.strands.folded(path.strands, frames, flux);
     const ShapeFace face(vertex.hit.shape, point.ng, vertex.wo);
     const LightVertex stored{point.p,
@@ -223,7 +223,7 @@ class LightPathTracer {
       if (can_connect(bsdf)) frames |= in_frames;
     });
     if (frames.empty()) return;
-    Rgb flux = path.throughput;
+    Spectrum flux = path.throughput;
     const StrandList strands = out_.strands.folded(path.strands, frames, flux);
     const ShapeFace face(vertex.hit.shape, vertex.point.ng, vertex.wo);
     out_.on_curves.push_back(
@@ -257,12 +257,13 @@ class LightPathTracer {
       const FrameSet common = frames & seeing;
       if (common.empty()) return;
       const LobeSet lobes = bsdf.all_lobes();
-      const Rgb f = bsdf.evaluate(sight.w, light.wi, Transport::radiance, lobes);
+      const Spectrum f = bsdf.evaluate(sight.w, light.wi, Transport::radiance, lobes);
       if (is_black(f)) return;
       const float reverse_pdf_w = bsdf.pdf_w(sight.w, light.wi, Transport::radiance, lobes);
       const float weight =
           weight_of_sighting(pass_.ways, {light.weights, reverse_pdf_w, pdf_a / pass_.ways.sighting, light.merging});
-      const Rgb radiance = light.flux * f * light.hue_by(bsdf, sight.w, false) * (pdf_a * weight / pass_.ways.sighting);
+      const Spectrum radiance =
+          light.flux * f * light.hue_by(bsdf, sight.w, false) * (pdf_a * weight / pass_.ways.sighting);
       if (!is_light(radiance)) return out_.rejections.add(place.scatterer(), common);
       parts.add({common, radiance});
       sent |= common;
@@ -271,12 +272,13 @@ class LightPathTracer {
     ++out_.paths.shadow_rays;
     for_each_open(
         scene_, segment_from(place, sight.w, sight.distance), way.inside, sent, {way.random, light.bounces + 1},
-        [&](FrameSet open, const Rgb& transmittance) {
+        [&](FrameSet open, const Spectrum& transmittance) {
           for (const FrameFactor& part : parts)
             for_each_strand(
-                out_.strands.of(light.strands), part.frames & open, [&](FrameSet frames, const Rgb& weight) {
+                out_.strands.of(light.strands), part.frames & open, [&](FrameSet frames, const Spectrum& weight) {
                   if (!frames.empty())
-                    out_.splats.push_back({sight.film, frames, part.factor * weight * transmittance, light_index_,
+                    out_.splats.push_back({sight.film, frames,
+                                           scene_.palette->seen(part.factor * weight * transmittance), light_index_,
                                            is_caught(scene_, place), light.medium != kNoMedium});
                 });
         });

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/integrators/methods/vcm/splats.h"
@@ -23,7 +23,7 @@ namespace dspm {
 struct LightVertex {
   Vec3 p, wi;      // towards where the flux came from
   ShapeFace face;  // the one that it has reached
-  Rgb flux;        // in W; includes |cos(wi, ns) / cos(wi, ng)|, as Photon::flux does
+  Spectrum flux;   // in W; includes |cos(wi, ns) / cos(wi, ng)|, as Photon::flux does
   int light;       // the light that it comes from: an index of the scene
   FrameSet frames;
   StrandList strands;  // in its trace's table
@@ -37,13 +37,13 @@ struct LightVertex {
   int medium = kNoMedium;  // kNoMedium: it is on a surface
 
   /// Returns the factor to the light that `bsdf`, its own, sends along `wo`.
-  Rgb hue_by(const Bsdf& bsdf, const Vec3& wo, bool camera_is_alone) const {
-    if (wavelength.nm == 0) return Rgb(1);
+  Spectrum hue_by(const Bsdf& bsdf, const Vec3& wo, bool camera_is_alone) const {
+    if (wavelength.nm == 0) return Spectrum(1);
     const bool alone = wavelength.alone || bsdf.disperses(wo, wi);
     return hue_of_found(alone ? wavelength.nm : 0, camera_is_alone);
   }
   /// Returns the factor to the light that arrives here, where the camera's path meets it.
-  Rgb hue_on_merging(bool camera_is_alone) const { return hue_of_found(wavelength.only_nm(), camera_is_alone); }
+  Spectrum hue_on_merging(bool camera_is_alone) const { return hue_of_found(wavelength.only_nm(), camera_is_alone); }
 };
 
 /// The results of a range of light subpaths.

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/integrators/methods/vcm/camera_vertex.h"
@@ -38,7 +38,7 @@ void for_each_merge_on_curve(const VcmPass& pass, const LightVertexMap& map, con
         const FrameSet common = light.frames & frames;
         if (common.empty() || camera.bounces + light.bounces + 1 > pass.settings.max_depth) return;
         counts.found.add(common.count());
-        const Rgb f = bsdf.evaluate(vertex.wo, light.wi, Transport::radiance, bsdf.all_lobes());
+        const Spectrum f = bsdf.evaluate(vertex.wo, light.wi, Transport::radiance, bsdf.all_lobes());
         const float share =
             irradiance * std::abs(dot(light.wi, vertex.point.ns)) / static_cast<float>(pass.settings.photons);
         const bool has_hue = camera.is_alone || bsdf.disperses(vertex.wo, light.wi);
@@ -64,11 +64,11 @@ void for_each_merge(const VcmPass& pass, const LightVertexMap& map, const Camera
         if (common.empty() || camera.bounces + light.bounces + 1 > pass.settings.max_depth) return;
         counts.found.add(common.count());
         if (transmits && !surface.counts(light.p, light.wi, light.face)) return;
-        const Rgb f = bsdf.evaluate(vertex.wo, light.wi, Transport::radiance, lobes);
+        const Spectrum f = bsdf.evaluate(vertex.wo, light.wi, Transport::radiance, lobes);
         if (is_black(f)) return;
         const float weight = merging_weight(pass.ways, camera, light, bsdf);
         const bool is_alone = camera.is_alone || bsdf.disperses(vertex.wo, light.wi);
-        const Rgb radiance = light.flux * f * light.hue_on_merging(is_alone) * (weight / pass.ways.merging);
+        const Spectrum radiance = light.flux * f * light.hue_on_merging(is_alone) * (weight / pass.ways.merging);
         fn(Brought{common, radiance, strands, light.light});
       });
 }
@@ -87,15 +87,15 @@ void for_each_merge(const VcmPass& pass, const LightVertexMap& map, const Camera
         const bool too_deep = camera.bounces + light.bounces + 1 > pass.settings.max_depth;
         if (common.empty() || too_deep || light.medium != vertex.medium) return;
         counts.found.add(common.count());
-        const Rgb f = bsdf.evaluate(vertex.wo, light.wi, Transport::radiance, bsdf.all_lobes());
+        const Spectrum f = bsdf.evaluate(vertex.wo, light.wi, Transport::radiance, bsdf.all_lobes());
         if (is_black(f)) return;
         const float weight = merging_weight(ways, camera, light, bsdf);
-        const Rgb weighted =
+        const Spectrum weighted =
             light.flux * f * light.hue_on_merging(camera.is_alone) * (weight / pass.ways.merging_in_media);
         pass.scene.media[static_cast<std::size_t>(light.medium)].states.for_each(
             common, [&](FrameSet alike, const Medium& medium) {
-              const Rgb sigma_t = medium.at(light.p).sigma_t();
-              Rgb radiance;
+              const Spectrum sigma_t = carried(medium.at(light.p), *pass.scene.palette).sigma_t();
+              Spectrum radiance;
               for (int c = 0; c < 3; ++c) radiance[c] = weighted[c] > 0 ? weighted[c] / sigma_t[c] : 0;
               fn(Brought{alike, radiance, strands, light.light});
             });

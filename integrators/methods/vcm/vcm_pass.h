@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/integrators/integrator.h"
@@ -43,11 +43,11 @@ struct VcmPass {
 /// the same.
 struct SubpathScattering {
   FrameSet frames;
-  Rgb factor;
+  Spectrum factor;
   BsdfSample sample;
   float reverse_pdf_w;
 
-  std::optional<Rgb> along(const SubpathScattering& first) const {
+  std::optional<Spectrum> along(const SubpathScattering& first) const {
     const BsdfSample& s = first.sample;
     const bool same = sample.wi == s.wi && sample.specular == s.specular && sample.eta_scale == s.eta_scale &&
                       sample.ahead == s.ahead && sample.by_wavelength == s.by_wavelength && sample.pdf_w == s.pdf_w &&

@@ -20,8 +20,8 @@ class HollowBsdf final : public Bsdf {
   HollowBsdf(const SurfacePoint& point, Fault fault) : frame_(point), fault_(fault), here_(point.p.x > 0) {}
 
   LobeSet lobes(float) const override { return 1; }
-  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet) const override {
-    return LocalPair(frame_, wo, wi, transport).reflection() ? Rgb(is(Fault::f) ? kNan : 0.2f) : Rgb(0);
+  Spectrum evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet) const override {
+    return LocalPair(frame_, wo, wi, transport).reflection() ? Spectrum(is(Fault::f) ? kNan : 0.2f) : Spectrum(0);
   }
   float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet) const override {
     const LocalPair pair(frame_, wo, wi, transport);
@@ -33,13 +33,13 @@ class HollowBsdf final : public Bsdf {
     if (!frame_.arrive(wo, side, transport)) return std::nullopt;
     const auto leaving = frame_.leave(local, side, transport, u.x);
     if (!leaving) return std::nullopt;
-    const Rgb weight(is(Fault::weight) ? kNan : 0.2f * kPi / leaving->share);
+    const Spectrum weight(is(Fault::weight) ? kNan : 0.2f * kPi / leaving->share);
     const Vec3 wi = is(Fault::direction) ? leaving->wi * kNan : leaving->wi;
     return BsdfSample{wi, weight, leaving->share * cosine_hemisphere_pdf_w(local.z), false};
   }
   float lobe_probability(const Vec3&, LobeSet) const override { return 1; }
-  std::optional<Rgb> lambertian(LobeSet) const override {
-    return fault_ == Fault::constant ? std::optional(Rgb(here_ ? kNan : 0.2f)) : std::nullopt;
+  std::optional<Spectrum> lambertian(LobeSet) const override {
+    return fault_ == Fault::constant ? std::optional(Spectrum(here_ ? kNan : 0.2f)) : std::nullopt;
   }
 
  private:

@@ -1,4 +1,4 @@
-#include "dspm/base/colour/spectrum.h"
+#include "dspm/base/colour/spectral_curve.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 namespace dspm {
 namespace {
 
-Rgb illuminant(const Spectrum& spectrum) {
+Rgb illuminant(const SpectralCurve& spectrum) {
   const Xyz sums = integrate([&](int nm) { return spectrum.at(static_cast<float>(nm)); });
   if (!(sums.y > 0)) return {};
   const Rgb inside = clamped(rec709({sums.x / sums.y, 1, sums.z / sums.y}), std::numeric_limits<float>::max());
@@ -19,7 +19,7 @@ Rgb illuminant(const Spectrum& spectrum) {
 
 }  // namespace
 
-float Spectrum::at(float wavelength) const {
+float SpectralCurve::at(float wavelength) const {
   if (nm.empty() || wavelength < nm.front() || wavelength > nm.back()) return 0;
   const auto above = std::upper_bound(nm.begin(), nm.end(), wavelength);
   if (above == nm.end()) return values.back();
@@ -27,12 +27,12 @@ float Spectrum::at(float wavelength) const {
   return std::lerp(values[i - 1], values[i], (wavelength - nm[i - 1]) / (nm[i] - nm[i - 1]));
 }
 
-std::array<double, 3> to_xyz(const Spectrum& spectrum) {
+std::array<double, 3> to_xyz(const SpectralCurve& spectrum) {
   const Xyz sums = integrate([&](int nm) { return spectrum.at(static_cast<float>(nm)); });
   return {sums.x, sums.y, sums.z};
 }
 
-Rgb to_rgb(const Spectrum& spectrum, SpectrumRole role) {
+Rgb to_rgb(const SpectralCurve& spectrum, SpectrumRole role) {
   if (spectrum.nm.empty()) return {};
   switch (role) {
     case SpectrumRole::albedo:
