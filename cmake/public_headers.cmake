@@ -3,7 +3,7 @@
 # and may change with any version.
 set(public_headers
   accel/accel.h
-  base/colour/colour_space.h base/colour/componentwise.h base/colour/palette.h base/colour/rgb.h base/colour/spectral_curve.h base/colour/spectrum.h base/colour/wavelength.h
+  base/colour/colour_space.h base/colour/colour.h base/colour/componentwise.h base/colour/palette.h base/colour/rgb.h base/colour/spectral_curve.h base/colour/spectrum.h base/colour/wavelength.h
   base/math/bins.h base/math/frame_array.h base/math/frames.h base/math/owen.h base/math/ray.h base/math/rng.h
   base/math/sampling.h base/math/simd.h
   base/math/transform.h base/math/vec.h base/math/vertex_data.h

@@ -21,6 +21,6 @@ inline void expect_iterations(int iterations) {
 }
 
 /// Throws std::runtime_error if a pixel is negative or NaN in any of the frames.
-void expect_images(const Integrator& integrator, int frames);
+void expect_images(const Integrator& integrator, int frames, bool spectral);
 
 }  // namespace dspm

@@ -59,6 +59,8 @@ const std::vector<ParamInfo>& described_options() {
        "even: random numbers that cover what paths sample more evenly than independent ones do; or independent. It "
        "goes "
        "before the sampler"},
+      {"string", "colour", "rgb", "",
+       "rgb: paths carry red, green and blue; spectral: three wavelengths in each iteration, other ones each time"},
       {"bool", "disablepixeljitter", "false", "", "camera paths go through the middles of pixels"},
       {"bool", "disabletexturefiltering", "false", "", "textures are looked up at points, not over footprints"},
       {"float", "displacementedgescale", "1", "", "times \"edgelength\" of displaced meshes"},
@@ -155,6 +157,10 @@ void SceneBuilder::option(const Directive& directive) {
     if (value.text != "even" && value.text != "independent")
       return diagnostics_.error(value.where, "expected \"even\" or \"independent\"");
     scene_.options.numbers = value.text;
+  } else if (known == "colour" || known == "color") {
+    if (value.text != "rgb" && value.text != "spectral")
+      return diagnostics_.error(value.where, "expected \"rgb\" or \"spectral\"");
+    scene_.options.colour = value.text;
   } else if (known == "displacementedgescale") {
     const float scale = number_of<float>(value.text).value_or(0);
     if (!(scale > 0 && scale < kInfinity)) return diagnostics_.error(value.where, "expected a number above 0");

@@ -38,6 +38,7 @@ struct CameraUse : PluginUse {
 struct SceneOptions {
   std::optional<int> seed;
   std::string numbers;  // even or independent; empty: what the sampler says
+  std::string colour;   // rgb or spectral; empty: rgb
   bool disable_pixel_jitter = false;
   bool disable_texture_filtering = false;
   float displacement_edge_scale = 1;  // multiplies "edgelength" of every displaced mesh

@@ -7,8 +7,12 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 
+#include "dspm/base/colour/colour.h"
+#include "dspm/base/colour/palette.h"
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/transform.h"
 #include "dspm/base/math/vec.h"
@@ -97,6 +101,16 @@ class Light {
   virtual Rgb ratio_along(const Light& other, const Ray& /*start*/) const { return ratio_to(other).value_or(Rgb()); }
   static constexpr float kMostWeight = 2;
 
+  /// The spectrum whose colour the colours of this light are multiples of, for any plugin; null if none was given. Set once,
+  /// when the light is made.
+  const std::shared_ptr<const SpectrumByNm>& spectrum() const { return spectrum_; }
+  void set_spectrum(std::shared_ptr<const SpectrumByNm> spectrum) { spectrum_ = std::move(spectrum); }
+  /// Returns what paths carry of a colour that the light gave.
+  Spectrum carried(const Rgb& colour, const Palette& palette) const {
+    return spectrum_ == nullptr || palette.is_rgb() ? palette.light(colour)
+                                                    : palette.at_its(*spectrum_) * luminance(colour);
+  }
+
   /// The radiance that leaves the light's own surface at `point` in direction w (area lights).
   virtual Rgb emitted(const SurfacePoint&, const Vec3& /*w*/) const { return {}; }
   /// The density by solid angle with which illuminate(from) samples that point of the light's primitive.
@@ -109,6 +123,9 @@ class Light {
   /// What the camera sees along a ray that has met nothing: the picture's background, which need not be the light.
   virtual Rgb background(const Ray& ray) const { return escaped(ray); }
   virtual float escaped_pdf_w(const Ray& /*ray*/) const { return 0; }
+
+ private:
+  std::shared_ptr<const SpectrumByNm> spectrum_;
 };
 
 /// The input of a light besides its parameters.

@@ -65,17 +65,22 @@ struct WithFiles {
   std::shared_ptr<const LoadedScene> scene;
 };
 
+std::string colour_of(const std::string& asked) {
+  if (asked.empty() || asked == "rgb" || asked == "spectral") return asked;
+  throw UsageError("colour: expected \"rgb\" or \"spectral\"");
+}
+
 ReadScene load(const std::variant<std::filesystem::path, std::vector<std::filesystem::path>>& files,
                const std::map<std::string, Number>& define, const std::string& integrator,
                std::optional<int> iterations, std::optional<int> photons, std::optional<int> maxdepth,
-               std::optional<std::uint64_t> seed, const std::vector<int>& frames,
+               std::optional<std::uint64_t> seed, const std::string& colour, const std::vector<int>& frames,
                const std::vector<std::string>& variations, const std::optional<std::variant<Size, Share>>& resolution,
                const std::vector<std::string>& outputs, const std::variant<bool, std::string>& denoise, bool lenient,
                const std::map<std::filesystem::path, std::variant<py::bytes, std::string>>& made) {
   Choices choices;
   for (const auto& [name, value] : define) choices.defines.push_back(fmt::format("{}={}", name, text_of(value)));
   choices.integrator = integrator, choices.iterations = iterations, choices.photons = photons;
-  choices.max_depth = maxdepth, choices.seed = seed;
+  choices.max_depth = maxdepth, choices.seed = seed, choices.colour = colour_of(colour);
   choices.frames = moments_of(frames), choices.variations = variations, choices.outputs = outputs;
   choices.denoiser = denoiser_of(denoise), choices.lenient = lenient;
   if (resolution) choices.resolution = resolution_of(*resolution);
@@ -216,9 +221,10 @@ Names that are not Python's go as find(**{"top colour": "red"}). Raises UsageErr
 
   module.def("load", load, py::arg("files"), py::kw_only(), py::arg("define") = std::map<std::string, Number>(),
              py::arg("integrator") = "", py::arg("iterations") = std::nullopt, py::arg("photons") = std::nullopt,
-             py::arg("maxdepth") = std::nullopt, py::arg("seed") = std::nullopt, py::arg("frames") = std::vector<int>(),
-             py::arg("variations") = std::vector<std::string>(), py::arg("resolution") = std::nullopt,
-             py::arg("outputs") = std::vector<std::string>(), py::arg("denoise") = false, py::arg("lenient") = false,
+             py::arg("maxdepth") = std::nullopt, py::arg("seed") = std::nullopt, py::arg("colour") = "",
+             py::arg("frames") = std::vector<int>(), py::arg("variations") = std::vector<std::string>(),
+             py::arg("resolution") = std::nullopt, py::arg("outputs") = std::vector<std::string>(),
+             py::arg("denoise") = false, py::arg("lenient") = false,
              py::arg("made") = std::map<std::filesystem::path, std::variant<py::bytes, std::string>>(),
              R"(Reads a scene from a file, or from several that follow one another.
 

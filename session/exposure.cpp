@@ -94,7 +94,13 @@ int moments_of_an_iteration(const Job& job, const World& opening, const World& c
   return needed <= 1 ? 1 : std::min(kMost, 2 * static_cast<int>(std::ceil(std::min(needed, 4.) - 0.5)) + 1);
 }
 
+void Exposure::colour(Scene& scene, int number) {
+  if (!job_.settings.spectral) return;
+  scene.set_palette(Palette::of_iteration(job_.settings.seed, static_cast<std::uint64_t>(number)));
+}
+
 Iteration Exposure::iteration(int number) {
+  colour(scene_, number);
   if (!job_.shutter.delays()) return {number, scene_};
   const double delay = delay_of(number, job_.shutter, job_.settings), length = job_.shutter.close - job_.shutter.open;
   later_.clear(), moments_.clear();
@@ -105,6 +111,7 @@ Iteration Exposure::iteration(int number) {
     Later& later = later_.emplace_back();
     later.world = world_.after(moment == 0 ? delay : job_.shutter.open + length * (share - std::floor(share)));
     later.scene = later.world->scene(scene_.file_frames, &scene_);
+    later.scene->set_palette(scene_.palette);
     moments_.push_back(later.scene.get());
   }
   return {number, *moments_.front(), delay, moments_};

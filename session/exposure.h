@@ -30,19 +30,24 @@ class Exposure {
  public:
   /// `scene`, of the world, is that of all iterations if the shutter is closed; else it says which frames there are. All
   /// of them outlive the exposure.
-  Exposure(const Job& job, const World& world, const Scene& scene) : job_(job), world_(world), scene_(scene) {}
+  Exposure(const Job& job, const World& world, Scene& scene) : job_(job), world_(world), scene_(scene) {
+    colour(scene_, 0);
+  }
 
   /// Returns the iteration, whose scene lives until the next one is asked for. Throws SceneError if the scene at its
   /// time has errors.
   Iteration iteration(int number);
 
  private:
+  /// Gives the scene the palette of the iteration, if the render is spectral.
+  void colour(Scene& scene, int number);
+
   const Job& job_;
   const World& world_;
-  const Scene& scene_;
+  Scene& scene_;
   struct Later {
     std::unique_ptr<const World> world;
-    std::unique_ptr<const Scene> scene;
+    std::unique_ptr<Scene> scene;
   };
   std::vector<Later> later_;  // of the latest iteration
   std::vector<const Scene*> moments_;

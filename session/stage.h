@@ -48,7 +48,7 @@ class Stage {
  private:
   const Job& job_;
   const FrameList frames_;
-  const std::unique_ptr<const Scene> scene_;
+  const std::unique_ptr<Scene> scene_;
   Exposure exposure_;
   std::unique_ptr<Integrator> integrator_;
 };

@@ -26,8 +26,7 @@ std::vector<Image> images_of(const Integrator& integrator, const Scene& scene) {
 }
 
 /// Runs `before` iterations on one integrator, the others on another one that takes over its state.
-Verdict check_resume(TestScene& test, const Scene& scene, int before, int iterations,
-                     const std::vector<Image>& expected) {
+Verdict check_resume(TestScene& test, Scene& scene, int before, int iterations, const std::vector<Image>& expected) {
   const auto first = test.integrator(scene), second = test.integrator(scene);
   test.iterate(*first, scene, 0, before);
   const std::string saved = state_of(*first);

@@ -52,7 +52,7 @@ std::unique_ptr<Integrator> TestScene::integrator(const Scene& scene, const std:
   return made;
 }
 
-void TestScene::iterate(Integrator& integrator, const Scene& scene, int first, int end) const {
+void TestScene::iterate(Integrator& integrator, Scene& scene, int first, int end) const {
   Exposure exposure(job(), world(), scene);
   for (int i = first; i < end; ++i) integrator.iterate(exposure.iteration(i));
 }

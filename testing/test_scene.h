@@ -38,7 +38,7 @@ class TestScene {
   std::unique_ptr<Integrator> integrator(const Scene& scene, const std::string& name = {}, std::size_t memory = 0);
 
   /// Does the iterations from `first` to before `end`, each at its time of the shutter. The scene is one of these.
-  void iterate(Integrator& integrator, const Scene& scene, int first, int end) const;
+  void iterate(Integrator& integrator, Scene& scene, int first, int end) const;
 
   /// Renders one frame alone with that many iterations.
   Image render(FileFrame frame, int iterations, const std::string& name = {});

@@ -50,12 +50,8 @@ class CheckerboardTexture final : public Texture<T> {
         mapping_(mapping),
         world_from_texture_(world_from_texture) {}
 
-  T evaluate(const TexturePoint& at) const override {
-    const float share = (1 - (cubes_ ? cube(at) : square(at))) / 2;  // of the second
-    if (share == 0) return first_->evaluate(at);
-    if (share == 1) return second_->evaluate(at);
-    return first_->evaluate(at) * (1 - share) + second_->evaluate(at) * share;
-  }
+  T evaluate(const TexturePoint& at) const override { return value(at, Evaluate{at}); }
+  Carried<T> carried(const TexturePoint& at) const override { return value(at, Carry{at}); }
 
   std::optional<T> constant() const override {
     const auto first = first_->constant(), second = second_->constant();
@@ -66,6 +62,13 @@ class CheckerboardTexture final : public Texture<T> {
   }
 
  private:
+  template <class Look>
+  auto value(const TexturePoint& at, const Look& look) const {
+    const float share = (1 - (cubes_ ? cube(at) : square(at))) / 2;  // of the second
+    if (share == 0) return look(first_);
+    if (share == 1) return look(second_);
+    return look(first_) * (1 - share) + look(second_) * share;
+  }
   float square(const TexturePoint& at) const {
     const TextureCoordinates c = mapping_.map(at);
     return sign(c.st.x, radius(c.dstdx.x, c.dstdy.x)) * sign(c.st.y, radius(c.dstdx.y, c.dstdy.y));

@@ -23,10 +23,8 @@ class DirectionMixTexture final : public Texture<T> {
   DirectionMixTexture(TexturePtr<T> along, TexturePtr<T> across, const Vec3& direction)
       : along_(std::move(along)), across_(std::move(across)), direction_(direction) {}
 
-  T evaluate(const TexturePoint& at) const override {
-    const float share = std::abs(dot(at.n, direction_));
-    return along_->evaluate(at) * share + across_->evaluate(at) * (1 - share);
-  }
+  T evaluate(const TexturePoint& at) const override { return value(at, Evaluate{at}); }
+  Carried<T> carried(const TexturePoint& at) const override { return value(at, Carry{at}); }
 
   std::optional<T> constant() const override {
     const auto along = along_->constant(), across = across_->constant();
@@ -34,6 +32,12 @@ class DirectionMixTexture final : public Texture<T> {
   }
 
  private:
+  template <class Look>
+  auto value(const TexturePoint& at, const Look& look) const {
+    const float share = std::abs(dot(at.n, direction_));
+    return look(along_) * share + look(across_) * (1 - share);
+  }
+
   TexturePtr<T> along_, across_;
   Vec3 direction_;  // in the world, unit length
 };

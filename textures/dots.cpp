@@ -39,9 +39,8 @@ class DotsTexture final : public Texture<T> {
   DotsTexture(TexturePtr<T> dots, TexturePtr<T> around, const TextureMapping& mapping)
       : dots_(std::move(dots)), around_(std::move(around)), mapping_(mapping) {}
 
-  T evaluate(const TexturePoint& at) const override {
-    return in_dot(mapping_.at(at)) ? dots_->evaluate(at) : around_->evaluate(at);
-  }
+  T evaluate(const TexturePoint& at) const override { return here(at)->evaluate(at); }
+  Carried<T> carried(const TexturePoint& at) const override { return here(at)->carried(at); }
 
   std::optional<T> constant() const override {
     const auto dots = dots_->constant(), around = around_->constant();
@@ -49,6 +48,8 @@ class DotsTexture final : public Texture<T> {
   }
 
  private:
+  const TexturePtr<T>& here(const TexturePoint& at) const { return in_dot(mapping_.at(at)) ? dots_ : around_; }
+
   TexturePtr<T> dots_, around_;
   TextureMapping mapping_;
 };

@@ -18,9 +18,8 @@ class MixTexture final : public Texture<T> {
   MixTexture(TexturePtr<T> first, TexturePtr<T> second, TexturePtr<float> amount)
       : first_(std::move(first)), second_(std::move(second)), amount_(std::move(amount)) {}
 
-  T evaluate(const TexturePoint& at) const override {
-    return blend(first_->evaluate(at), second_->evaluate(at), amount_->evaluate(at));
-  }
+  T evaluate(const TexturePoint& at) const override { return value(Evaluate{at}); }
+  Carried<T> carried(const TexturePoint& at) const override { return value(Carry{at}); }
 
   std::optional<T> constant() const override {
     const auto first = first_->constant(), second = second_->constant();
@@ -34,7 +33,14 @@ class MixTexture final : public Texture<T> {
   }
 
  private:
-  static T blend(const T& first, const T& second, float amount) { return first * (1 - amount) + second * amount; }
+  template <class Look>
+  auto value(const Look& look) const {
+    return blend(look(first_), look(second_), look(amount_));
+  }
+  template <class V>
+  static V blend(const V& first, const V& second, float amount) {
+    return first * (1 - amount) + second * amount;
+  }
 
   TexturePtr<T> first_, second_;
   TexturePtr<float> amount_;

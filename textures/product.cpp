@@ -16,6 +16,7 @@ class ProductTexture final : public Texture<T> {
   ProductTexture(TexturePtr<T> first, TexturePtr<T> second) : first_(std::move(first)), second_(std::move(second)) {}
 
   T evaluate(const TexturePoint& at) const override { return first_->evaluate(at) * second_->evaluate(at); }
+  Carried<T> carried(const TexturePoint& at) const override { return first_->carried(at) * second_->carried(at); }
 
   std::optional<T> constant() const override {
     const auto first = first_->constant(), second = second_->constant();

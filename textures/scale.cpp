@@ -18,6 +18,7 @@ class ScaleTexture final : public Texture<T> {
       : texture_(std::move(texture)), scale_(std::move(scale)) {}
 
   T evaluate(const TexturePoint& at) const override { return texture_->evaluate(at) * scale_->evaluate(at); }
+  Carried<T> carried(const TexturePoint& at) const override { return texture_->carried(at) * scale_->evaluate(at); }
 
   std::optional<T> constant() const override {
     const auto value = texture_->constant();

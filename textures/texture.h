@@ -4,7 +4,9 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
+#include "dspm/base/colour/colour.h"
 #include "dspm/base/colour/palette.h"
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/colour/spectrum.h"
@@ -58,6 +60,23 @@ class Texture {
   /// nothing cuts them off before they are averaged. Other textures are looked up at points only. Call it once, too.
   virtual bool averages() const { return false; }
 };
+
+/// These look a texture up, as evaluate() and as carried(): textures of textures do both alike.
+struct Evaluate {
+  const TexturePoint& at;
+  template <class T>
+  T operator()(const std::shared_ptr<const Texture<T>>& texture) const {
+    return texture->evaluate(at);
+  }
+};
+struct Carry {
+  const TexturePoint& at;
+  template <class T>
+  Carried<T> operator()(const std::shared_ptr<const Texture<T>>& texture) const {
+    return texture->carried(at);
+  }
+};
+
 using FloatTexture = Texture<float>;
 using RgbTexture = Texture<Rgb>;
 
@@ -76,6 +95,19 @@ class ConstantTexture final : public Texture<T> {
 
  private:
   T value_;
+};
+
+/// A colour everywhere that is given as a spectrum.
+class SpectrumTexture final : public Texture<Rgb> {
+ public:
+  explicit SpectrumTexture(Colour colour) : colour_(std::move(colour)) {}
+  Rgb evaluate(const TexturePoint&) const override { return colour_.rgb; }
+  Spectrum carried(const TexturePoint& at) const override { return at.palette->carried(colour_); }
+  std::optional<Rgb> constant() const override { return colour_.rgb; }
+  bool averages() const override { return is_albedo(colour_.rgb); }
+
+ private:
+  Colour colour_;
 };
 
 }  // namespace dspm

@@ -28,6 +28,8 @@ TexturePtr<T> texture_of(const ValueOrTexture<T>& parameter, const TextureSet& t
     diagnostics.error(parameter.where, "there is no texture \"" + parameter.texture + "\" before this line",
                       hint<T>(parameter.texture, textures));
   }
+  if constexpr (std::is_same_v<T, Rgb>)
+    if (parameter.spectrum) return std::make_shared<SpectrumTexture>(Colour{parameter.value, parameter.spectrum});
   return std::make_shared<ConstantTexture<T>>(parameter.value);
 }
 

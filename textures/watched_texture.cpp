@@ -14,7 +14,10 @@ namespace dspm {
 namespace {
 
 bool is_sound(float value) { return std::isfinite(value); }
-bool is_sound(const Rgb& c) { return c.r >= 0 && c.g >= 0 && c.b >= 0 && is_finite(c); }
+template <Components C>
+bool is_sound(const C& c) {
+  return c[0] >= 0 && c[1] >= 0 && c[2] >= 0 && is_finite(c);
+}
 
 /// Collects faults, from whichever thread looks a texture up.
 class Faults {
@@ -47,6 +50,7 @@ class WatchedTexture final : public Texture<T> {
   WatchedTexture(TexturePtr<T> texture, TextureFault fault) : texture_(std::move(texture)), fault_(std::move(fault)) {}
 
   T evaluate(const TexturePoint& at) const override { return checked(texture_->evaluate(at)); }
+  Carried<T> carried(const TexturePoint& at) const override { return checked(texture_->carried(at)); }
   std::optional<T> constant() const override {
     const std::optional<T> value = texture_->constant();
     return value ? std::optional(checked(*value)) : std::nullopt;
@@ -54,10 +58,11 @@ class WatchedTexture final : public Texture<T> {
   bool averages() const override { return texture_->averages(); }
 
  private:
-  T checked(const T& value) const {
+  template <class V>
+  V checked(const V& value) const {
     if (is_sound(value)) return value;
     if (!is_known_.exchange(true, std::memory_order_relaxed)) faults().add(fault_);
-    return T(0);
+    return V(0);
   }
 
   TexturePtr<T> texture_;

@@ -18,6 +18,9 @@ void add_work_options(CLI::App& app, Options& o) {
                  "of frames: frozen (all share it) or perframe (not those in which the camera has moved)")
       ->check(one_of({"frozen", "perframe"}))
       ->type_name("KIND");
+  app.add_option("--colour,--color", o.colour, "rgb or spectral: what paths carry; glass shows its colours either way")
+      ->check(one_of({"rgb", "spectral"}))
+      ->type_name("KIND");
   add_count(app, "--iterations,--spp", o.iterations, 0, kMaxCount, "camera paths per pixel; 0: until stopped");
   add_count(app, "--photons", o.photons, 1, kMaxCount, "photon paths per iteration");
   add_count(app, "--maxdepth", o.max_depth, 0, kMaxCount,

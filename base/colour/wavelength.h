@@ -5,6 +5,7 @@
 // iteration]
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "dspm/base/colour/spectral_curve.h"
@@ -26,13 +27,20 @@ struct Wavelength {
   friend bool operator==(const Wavelength&, const Wavelength&) = default;
 };
 
-/// Returns the wavelength of that iteration: those of any number of consecutive iterations are spread evenly, by how much
-/// each wavelength contributes to white.
+/// Returns a number in [0, 1) for each iteration. Those of 2, 4, 8, 16 or 32 iterations are equally far apart, if 0 is next
+/// to 1, and three such sets a third apart are so, too; blocks of 32 are apart by the golden ratio, so that every second or
+/// fourth iteration alone covers all in the end.
+double place_among_wavelengths(std::uint64_t seed, std::uint64_t iteration);
+/// Returns the wavelength of the iteration.
 std::int16_t wavelength_of(std::uint64_t seed, std::uint64_t iteration);
 /// Returns the wavelength for a number in [0, 1), with that density.
 std::int16_t wavelength_at(double u);
 /// Returns the probability of the wavelength, a whole number of nm.
 double wavelength_probability(int nm);
+
+/// Returns what light of that wavelength adds to white daylight, in Rec. 709: negative where its colour lies outside, and 1
+/// over all wavelengths.
+std::array<double, 3> part_of_white(int nm);
 
 /// Returns what is left of white light that goes on with that wavelength alone, see Wavelength::nm: white on average. In
 /// a spectral render, the first component; else the colour of daylight of that wavelength, over its probability. It is

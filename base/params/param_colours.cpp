@@ -16,7 +16,7 @@ const std::vector<ParamType> kColourTypes{ParamType::number, ParamType::rgb, Par
 
 std::string default_text(const Rgb& c) { return fmt::format("{:g} {:g} {:g}", c.r, c.g, c.b); }
 
-Rgb named_colour(std::string_view name, SpectrumRole role) { return to_rgb(named_spectrum(name).value(), role); }
+Colour named_colour(std::string_view name, SpectrumRole role) { return Colour::of(named_spectrum(name).value(), role); }
 
 /// Returns the error in the pairs of a sampled spectrum; empty if they are fine.
 std::string fault(const std::vector<float>& pairs) {
@@ -46,7 +46,7 @@ std::vector<float> read_numbers(const std::filesystem::path& path) {
 }  // namespace
 
 Rgb ParamReader::rgb(std::string_view name, Rgb fallback, SpectrumRole role, std::string_view sentence) {
-  return take_colour(name, fallback, default_text(fallback), role, false, sentence).value;
+  return take_colour(name, {fallback}, default_text(fallback), role, false, sentence).value;
 }
 
 Rgb ParamReader::rgb(std::string_view name, std::string_view named_fallback, SpectrumRole role,
@@ -59,7 +59,7 @@ ColourOrSpectrum ParamReader::colour_or_spectrum(std::string_view name, Rgb fall
                                                  std::string_view sentence) {
   const Param* param = take(name, kColourTypes, default_text(fallback), {}, sentence);
   if (param == nullptr) return {fallback, {}};
-  if (param->type != ParamType::spectrum) return {colour(*param, role).value_or(fallback), {}};
+  if (param->type != ParamType::spectrum) return {colour(*param, role).value_or(Colour{fallback}).rgb, {}};
   std::optional<SpectralCurve> given = spectrum(*param);
   const Rgb seen = given ? to_rgb(*given, role) : fallback;
   return {seen, std::move(given)};
@@ -67,7 +67,7 @@ ColourOrSpectrum ParamReader::colour_or_spectrum(std::string_view name, Rgb fall
 
 ValueOrTexture<Rgb> ParamReader::rgb_or_texture(std::string_view name, Rgb fallback, SpectrumRole role,
                                                 std::string_view sentence) {
-  return take_colour(name, fallback, default_text(fallback), role, true, sentence);
+  return take_colour(name, {fallback}, default_text(fallback), role, true, sentence);
 }
 
 ValueOrTexture<Rgb> ParamReader::rgb_or_texture(std::string_view name, std::string_view named_fallback,
@@ -76,16 +76,23 @@ ValueOrTexture<Rgb> ParamReader::rgb_or_texture(std::string_view name, std::stri
   return take_colour(name, named_colour(named_fallback, role), default_value, role, true, sentence);
 }
 
-ValueOrTexture<Rgb> ParamReader::take_colour(std::string_view name, Rgb fallback, std::string default_value,
+ValueOrTexture<Rgb> ParamReader::take_colour(std::string_view name, const Colour& fallback, std::string default_value,
                                              SpectrumRole role, bool textures, std::string_view sentence) {
   Types types = kColourTypes;
   if (textures) types.push_back(ParamType::texture);
+  if (role == SpectrumRole::illuminant) illuminant_ = nullptr;
   const Param* param = take(name, types, std::move(default_value), {}, sentence);
   if (!param)
-    return {role == SpectrumRole::illuminant ? to_rec709(fallback, space(), role) : fallback, {}, where(name)};
-  if (param->type != ParamType::texture) return {colour(*param, role).value_or(fallback), {}, param->values_where};
+    return {role == SpectrumRole::illuminant ? to_rec709(fallback.rgb, space(), role) : fallback.rgb,
+            {},
+            where(name),
+            fallback.spectrum};
+  if (param->type != ParamType::texture) {
+    const Colour given = colour(*param, role).value_or(fallback);
+    return {given.rgb, {}, param->values_where, given.spectrum};
+  }
   const std::string texture = count_is(*param, 1) ? std::get<std::vector<std::string>>(param->values).front() : "";
-  return {fallback, texture, param->values_where};
+  return {fallback.rgb, texture, param->values_where, fallback.spectrum};
 }
 
 std::vector<Rgb> ParamReader::colours(std::string_view name, SpectrumRole role, std::string_view sentence) {
@@ -97,16 +104,21 @@ std::vector<Rgb> ParamReader::colours(std::string_view name, SpectrumRole role, 
   return colours;
 }
 
-std::optional<Rgb> ParamReader::colour(const Param& param, SpectrumRole role) {
+std::optional<Colour> ParamReader::colour(const Param& param, SpectrumRole role) {
+  const auto of_curve = [&](const SpectralCurve& curve) {
+    Colour colour = Colour::of(curve, role);
+    if (role == SpectrumRole::illuminant) illuminant_ = colour.spectrum;
+    return colour;
+  };
   if (param.type == ParamType::spectrum) {
     const std::optional<SpectralCurve> given = spectrum(param);
-    return given ? std::optional(to_rgb(*given, role)) : std::nullopt;
+    return given ? std::optional(of_curve(*given)) : std::nullopt;
   }
   if (!count_is(param, param.type == ParamType::rgb ? 3 : 1)) return std::nullopt;
   const std::vector<float> v = numbers_of(param);
   std::string wrong;
   if (param.type == ParamType::blackbody) {
-    if (v[0] > 0) return to_rgb(blackbody(v[0]), role);
+    if (v[0] > 0) return of_curve(blackbody(v[0]));
     wrong = "must be a temperature above 0 K";
   } else {
     const Rgb rgb = param.type == ParamType::rgb ? Rgb(v[0], v[1], v[2]) : Rgb(v[0]);
@@ -115,8 +127,8 @@ std::optional<Rgb> ParamReader::colour(const Param& param, SpectrumRole role) {
     else if (role == SpectrumRole::albedo && max_component(rgb) > 1)
       wrong = "must lie in 0..1";
     else
-      return role == SpectrumRole::unbounded && param.type == ParamType::number ? rgb
-                                                                                : to_rec709(rgb, param.space, role);
+      return Colour{
+          role == SpectrumRole::unbounded && param.type == ParamType::number ? rgb : to_rec709(rgb, param.space, role)};
   }
   diagnostics_.error(param.values_where, fmt::format("{} {}", quoted(param.name), wrong));
   return std::nullopt;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "dspm/base/colour/colour.h"
 #include "dspm/base/colour/colour_space.h"
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/colour/spectral_curve.h"
@@ -89,6 +91,7 @@ struct ValueOrTexture {
   T value{};
   std::string texture;  // empty: the constant
   SourceLocation where;
+  std::shared_ptr<const SpectrumByNm> spectrum = nullptr;  // of a constant colour, if it is given as one
 };
 
 /// A colour, and the spectrum that it is of if the scene gives one.
@@ -129,6 +132,9 @@ class ParamReader {
   Rgb rgb(std::string_view name, Rgb fallback, SpectrumRole role, std::string_view sentence);
   /// Reads a colour like rgb() above, but the default is a named spectrum such as "metal-Cu-eta".
   Rgb rgb(std::string_view name, std::string_view named_fallback, SpectrumRole role, std::string_view sentence);
+  /// Returns the last illuminant that was read, null if it was none or no spectrum: the rgb that rgb() returned is its
+  /// colour.
+  const std::shared_ptr<const SpectrumByNm>& illuminant() const { return illuminant_; }
   /// Reads a colour like rgb() above, and keeps the spectrum if it is given as one.
   ColourOrSpectrum colour_or_spectrum(std::string_view name, Rgb fallback, SpectrumRole role,
                                       std::string_view sentence);
@@ -186,9 +192,9 @@ class ParamReader {
                                  std::string_view sentence);
   Vec3 triple(std::string_view name, const Types& types, Vec3 fallback, std::string_view unit,
               std::string_view sentence);
-  ValueOrTexture<Rgb> take_colour(std::string_view name, Rgb fallback, std::string default_value, SpectrumRole role,
-                                  bool textures, std::string_view sentence);
-  std::optional<Rgb> colour(const Param& param, SpectrumRole role);
+  ValueOrTexture<Rgb> take_colour(std::string_view name, const Colour& fallback, std::string default_value,
+                                  SpectrumRole role, bool textures, std::string_view sentence);
+  std::optional<Colour> colour(const Param& param, SpectrumRole role);
   std::optional<SpectralCurve> spectrum(const Param& param);
   std::optional<SpectralCurve> spectrum_from_file(const Param& param, const std::string& name);
   std::optional<SpectralCurve> spectrum_from_pairs(const Param& param, const std::vector<float>& pairs);
@@ -210,6 +216,7 @@ class ParamReader {
   std::filesystem::path main_directory_;
   std::vector<ParamInfo>* described_ = nullptr;
   bool only_checks_ = false;
+  std::shared_ptr<const SpectrumByNm> illuminant_;
   std::vector<std::string> known_;                            // names that were read
   std::vector<std::string> tolerated_;                        // names that unsupported() has reported
   std::vector<std::pair<std::string, std::string>> aliases_;  // alias, name

@@ -28,7 +28,8 @@ class PhotonTracer {
       light.states.for_each(choice.frames, [&](FrameSet frames, const Light& state) {
         const auto start = state.emit(random.pair(0, kLightPoint), random.pair(0, kLightDirection));
         if (!start) return;
-        const Spectrum flux = scene_.palette->light(start->flux) / (chosen.probability * static_cast<float>(photons_));
+        const Spectrum flux =
+            state.carried(start->flux, *scene_.palette) / (chosen.probability * static_cast<float>(photons_));
         PathState& path = branches_.push({start->ray, flux, frames});
         path.random = random;
         // Glass may refract by the iteration's wavelength, and colours what it refracts.

@@ -51,7 +51,7 @@ HitPointSettings hit_point_settings(const PhotonMapSettings& s) {
 }
 
 /// A final gather ray needs all incident light; without it, direct light and caustics are estimated separately.
-PhotonSettings global_settings(const PhotonMapSettings& s, const RenderSettings& render) {
+PhotonSettings global_settings(const PhotonMapSettings& s, const RenderSettings& render, bool is_rgb) {
   return {.seed = render.seed,
           .independent_numbers = render.independent_numbers,
           .stream = Stream::photon,
@@ -59,9 +59,9 @@ PhotonSettings global_settings(const PhotonMapSettings& s, const RenderSettings&
           .least_alpha = s.least_alpha,
           .kinds = s.final_gather > 0 ? kAllPhotons : kDiffusePhotons,
           .rays_light_media = true,
-          .own_wavelengths = true};
+          .own_wavelengths = is_rgb};
 }
-PhotonSettings caustic_settings(const PhotonMapSettings& s, const RenderSettings& render) {
+PhotonSettings caustic_settings(const PhotonMapSettings& s, const RenderSettings& render, bool is_rgb) {
   return {.seed = render.seed,
           .independent_numbers = render.independent_numbers,
           .stream = Stream::caustic_photon,
@@ -69,7 +69,7 @@ PhotonSettings caustic_settings(const PhotonMapSettings& s, const RenderSettings
           .least_alpha = s.least_alpha,
           .kinds = kCausticPhotons,
           .hidden = true,
-          .own_wavelengths = true};
+          .own_wavelengths = is_rgb};
 }
 
 /// Photon settings whose guides are those in `learned`.
@@ -102,7 +102,7 @@ GuidedPhotons global_photons(const Scene& scene, const PhotonMapSettings& s, Ren
                              Statistics& statistics) {
   render.count_found &= s.final_gather == 0;
   return {scene,
-          global_settings(s, render),
+          global_settings(s, render, scene.palette->is_rgb()),
           global_radius(s, scene),
           s,
           render,
@@ -112,7 +112,13 @@ GuidedPhotons global_photons(const Scene& scene, const PhotonMapSettings& s, Ren
 }
 GuidedPhotons caustic_photons(const Scene& scene, const PhotonMapSettings& s, const RenderSettings& render,
                               Statistics& statistics) {
-  return {scene,     caustic_settings(s, render), caustic_radius(s, scene), s, render, s.caustic_photons, s.guided,
+  return {scene,
+          caustic_settings(s, render, scene.palette->is_rgb()),
+          caustic_radius(s, scene),
+          s,
+          render,
+          s.caustic_photons,
+          s.guided,
           statistics};
 }
 

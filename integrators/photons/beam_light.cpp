@@ -197,7 +197,7 @@ class LitSection {
       if (!lit || !(density > 0)) return;
       const float here = samples_near(scene_light) * density, there = samples_where_it_scatters(scene_light, p, t);
       const Spectrum radiance = scattered(segment_.at(t, samples * density), lit->wi) *
-                                scene_.palette->light(lit->radiance) *
+                                light.carried(lit->radiance, *scene_.palette) *
                                 (balance(here, there) / (lit->pdf_w > 0 ? lit->pdf_w : 1));
       const auto giver = [&] { return light_element(scene_, scene_light); };
       if (!is_light(radiance)) return out_.see(path_, common, radiance, giver);

@@ -26,19 +26,29 @@ std::vector<PhotonStart> by_bodies(const Scene& scene, const std::vector<PhotonS
   return parts;
 }
 
+/// Returns whether the states' light differs in more than its strength. What paths carry of two colours of a spectral
+/// render then has a ratio that depends on the colours.
+bool differ_in_colour(const SceneLight::Alike& alike) {
+  const auto is_grey = [](const FrameFactor& f) { return f.factor == Spectrum(f.factor[0]); };
+  const auto has_same = [&](const auto& state) { return state.object->spectrum() == alike.first->spectrum(); };
+  return !std::all_of(alike.factors.begin(), alike.factors.end(), is_grey) ||
+         !std::all_of(alike.states.begin(), alike.states.end(), has_same);
+}
+
 }  // namespace
 
 PhotonStarts::PhotonStarts(const Scene& scene, bool share_paths) {
   for (const LightChoice& choice : scene.light_choices) {
     auto& of_light = of_choice_.emplace_back();
     for (const SceneLight& light : scene.lights) {
-      of_light.push_back(starts_of(light, choice.frames, share_paths));
+      of_light.push_back(starts_of(light, choice.frames, share_paths, *scene.palette));
       if (!scene.bounds_bodies.empty()) of_light.back() = by_bodies(scene, of_light.back());
     }
   }
 }
 
-std::vector<PhotonStart> PhotonStarts::starts_of(const SceneLight& light, FrameSet frames, bool share_paths) {
+std::vector<PhotonStart> PhotonStarts::starts_of(const SceneLight& light, FrameSet frames, bool share_paths,
+                                                 const Palette& palette) {
   std::vector<PhotonStart> starts;
   if (!share_paths) {
     light.states.for_each(frames, [&](FrameSet common, const Light& state) {
@@ -48,7 +58,7 @@ std::vector<PhotonStart> PhotonStarts::starts_of(const SceneLight& light, FrameS
   }
   for (const SceneLight::Alike& alike : light.alike) {
     const Light& first = *alike.first;
-    if (alike.factors.empty()) {
+    if (alike.factors.empty() || (!palette.is_rgb() && differ_in_colour(alike))) {
       FrameSet all;
       for (const auto& state : alike.states) all |= state.frames & frames;
       if (!all.empty()) starts.push_back({&first, all, Spectrum(1), 0, &alike});

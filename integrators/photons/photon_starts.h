@@ -33,7 +33,8 @@ class PhotonStarts {
   const StrandTable& strands() const { return strands_; }
 
  private:
-  std::vector<PhotonStart> starts_of(const SceneLight& light, FrameSet frames, bool share_paths);
+  std::vector<PhotonStart> starts_of(const SceneLight& light, FrameSet frames, bool share_paths,
+                                     const Palette& palette);
   void add(const Light& light, std::span<const FrameFactor> factors, FrameSet frames, std::vector<PhotonStart>& starts);
 
   std::vector<std::vector<std::vector<PhotonStart>>> of_choice_;  // by light

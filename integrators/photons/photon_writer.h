@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "dspm/base/colour/rgb.h"
 #include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/integrators/photons/trace_photons.h"
@@ -36,6 +37,7 @@ struct PhotonOrigin {
   float must_reach;
   int index;  // of the light
   LightSeen seen;
+  Rgb flux;  // of what the light emitted
 };
 
 class PhotonWriter {

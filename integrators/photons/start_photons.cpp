@@ -28,17 +28,19 @@ void start_photons(const Scene& scene, const PhotonSettings& settings, const Pho
       if (!emission || is_black(emission->flux)) continue;
       if (light.glow.medium != kNoMedium && (frames = frames_in(light.glow, scene, emission->ray, frames)).empty())
         continue;
-      const Spectrum flux = scene.palette->light(emission->flux) * start.factor / chosen.density * settings.flux;
+      const Spectrum flux =
+          start.light->carried(emission->flux, *scene.palette) * start.factor / chosen.density * settings.flux;
       PhotonPath path{{emission->ray, flux, frames}};
       path.start = static_cast<int>(started.size());
       path.random = random, path.strands = start.strands, path.inside = start.inside, path.wavelength = wavelength;
       path.inside.medium = light.media.medium_towards(!(dot(emission->normal, emission->ray.direction) < 0));
       path.hidden = settings.hidden && light.is_delta, path.caustics = light.caustics;
       const LightStart place{emission->ray, emission->normal, emission->primitive};
-      started.push_back({path,
-                         {light, *start.light, place, emission->must_reach, chosen.light, light_seen(*emission)},
-                         start.varied,
-                         is_light(flux) && is_finite(emission->ray)});
+      started.push_back(
+          {path,
+           {light, *start.light, place, emission->must_reach, chosen.light, light_seen(*emission), emission->flux},
+           start.varied,
+           is_light(flux) && is_finite(emission->ray)});
     }
   }
 }

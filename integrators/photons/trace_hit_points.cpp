@@ -294,6 +294,7 @@ std::vector<HitPointTile> trace_hit_points(const Scene& scene, const RenderSetti
   parallel_for(static_cast<std::int64_t>(reuse.size()), 1, [&](std::int64_t t) {
     HitPointTile& tile = reuse[static_cast<std::size_t>(t)];
     tile.clear();
+    tile.palette = scene.palette.get();
     HitPointTracer tracer(scene, render, settings, tile);
     for_each_pixel_of_tile(render.crop, side, static_cast<int>(t), [&](int x, int y) {
       if (x % stride == 0 && y % stride == 0 && settings.pixels.contain(x, y)) tracer.trace(x, y, iteration);

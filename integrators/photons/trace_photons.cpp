@@ -1,7 +1,9 @@
 #include "dspm/integrators/photons/trace_photons.h"
 
+#include "dspm/base/colour/rgb.h"
 #include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/ray.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/integrators/photons/photon_energy.h"
@@ -58,7 +60,7 @@ class PhotonTracer {
         continue;
       }
       PhotonPath& path = branches_.push(start);
-      if (varied == nullptr || weigh(path, *varied, from.index))
+      if (varied == nullptr || weigh(path, *varied, from))
         balance(path, path.frames, &EnergyBalance::emitted);
       else
         branches_.drop();
@@ -66,16 +68,24 @@ class PhotonTracer {
   }
 
   /// Weights a photon that starts from the first state for each state of a light; returns whether any weight remains.
-  bool weigh(PhotonPath& path, const SceneLight::Alike& alike, int index) {
+  bool weigh(PhotonPath& path, const SceneLight::Alike& alike, const PhotonOrigin& from) {
     FrameArray<FrameFactor> weights;
     for (const auto& [frames, light] : alike.states) {
-      const Spectrum weight = scene_.palette->carried(light->ratio_along(*alike.first, path.ray));
-      if (is_light(weight))
-        weights.add({frames, weight});
+      const auto weight = weight_of(*light, *alike.first, path.ray, from.flux);
+      if (weight && is_light(*weight))
+        weights.add({frames, *weight});
       else
-        reject(frames, {SceneElement::Kind::light, index});
+        reject(frames, {SceneElement::Kind::light, from.index});
     }
     return !weights.empty() && multiply(path, weights, out_.strands, ByRatio::yes, keep_all);
+  }
+
+  /// Returns what a photon of `light` carries over what one of `first`, of that flux, does.
+  std::optional<Spectrum> weight_of(const Light& light, const Light& first, const Ray& ray, const Rgb& flux) const {
+    const Rgb in_rgb = light.ratio_along(first, ray);
+    const Palette& palette = *scene_.palette;
+    return palette.is_rgb() ? palette.carried(in_rgb)
+                            : ratio(light.carried(flux * in_rgb, palette), first.carried(flux, palette));
   }
 
   bool postpones(const PhotonPath&, const HitPartition&) { return false; }

@@ -203,7 +203,7 @@ void sample_direct_light(const Scene& scene, const PathState& path, const Place&
       const auto lit = light.illuminate(place.p(), numbers);
       if (!lit) return;
       const float pdf_w = samples * lit->pdf_w, cosine = place.cosine(lit->wi);
-      const Spectrum carried = scene.palette->light(lit->radiance);
+      const Spectrum carried = light.carried(lit->radiance, *scene.palette);
       FrameArray<FrameFactor> received;
       const auto receive = [&](FrameSet alike, const Spectrum& unprojected) {
         const Spectrum f = unprojected * cosine;

@@ -57,7 +57,7 @@ struct Vertex {
         material(scene.materials[static_cast<std::size_t>(shape.material)]),
         body(scene.body_of(shape.material)),
         interface(scene.interface_at(part.hit.shape)) {
-    point.palette = scene.palette;
+    point.palette = scene.palette.get();
   }
 
   RayHit hit;
@@ -188,7 +188,7 @@ void for_each_emission(const Scene& scene, const Vertex& vertex, FrameSet frames
   if (vertex.shape.light < 0) return;
   const SceneLight& light = scene.lights[static_cast<std::size_t>(vertex.shape.light)];
   light.states.for_each(frames, [&](FrameSet lit, const Light& state) {
-    const Spectrum radiance = scene.palette->light(state.emitted(vertex.point, vertex.wo));
+    const Spectrum radiance = state.carried(state.emitted(vertex.point, vertex.wo), *scene.palette);
     if (!is_black(radiance)) fn(lit, radiance, state);
   });
 }
@@ -200,7 +200,8 @@ void for_each_escape(const Scene& scene, FrameSet frames, const Ray& ray, int bo
   for (const int index : scene.infinite_lights) {
     const SceneLight& scene_light = scene.lights[static_cast<std::size_t>(index)];
     scene_light.states.for_each(frames, [&](FrameSet common, const Light& light) {
-      const Spectrum radiance = scene.palette->light(bounces == 0 ? light.background(ray) : light.escaped(ray));
+      const Spectrum radiance =
+          light.carried(bounces == 0 ? light.background(ray) : light.escaped(ray), *scene.palette);
       if (!is_black(radiance)) fn(common, radiance, scene_light, light);
     });
   }

@@ -76,6 +76,7 @@ void leave_to_others(const fs::path& path) {
 Checkpoints::Checkpoints(const Job& job, const std::string& sampling, const CheckpointSettings& settings,
                          std::unique_ptr<const CheckpointFile> resumed, Messages& messages)
     : messages_(messages),
+      is_spectral_(job.settings.spectral),
       path_(settings.checkpoint.empty() ? settings.resume : settings.checkpoint),
       every_(settings.checkpoint_every.value_or(kEvery)),
       schedule_(every_),
@@ -152,7 +153,7 @@ IntervalProgress Checkpoints::resume(std::size_t interval, Integrator& integrato
   if (state.iterations == 0) return {.index = interval};
   last_->load(kept_ + interval, integrator);
   try {
-    expect_images(integrator, static_cast<int>(state.places.going_on().size()));
+    expect_images(integrator, static_cast<int>(state.places.going_on().size()), is_spectral_);
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(fmt::format("checkpoint {}: {}", last_->path().string(), error.what()));
   }

@@ -50,6 +50,7 @@ class Checkpoints {
  private:
   bool writes() const { return !path_.empty(); }
   Messages& messages_;
+  bool is_spectral_;
   std::filesystem::path path_;  // empty: none is written
   Interval every_;
   WriteSchedule schedule_;

@@ -37,6 +37,7 @@ void add_settings(const Job& job, std::vector<Fact>& facts) {
       {"the crop window", fmt::format("x from {} to {}, y from {} to {}", crop.x0, crop.x1, crop.y0, crop.y1)});
   facts.push_back({"the seed", std::to_string(s.seed)});
   if (s.independent_numbers) facts.push_back({"the random numbers (Sampler, Option \"numbers\")", "independent"});
+  if (s.spectral) facts.push_back({"the colours (--colour)", "spectral"});
   if (s.noise_per_frame) facts.push_back({"the noise (--noise)", "perframe"});
   const std::set<std::string> outputs(s.outputs.begin(), s.outputs.end());
   const char* space = s.in_camera_space ? "camera" : "world";

@@ -71,6 +71,7 @@ void MergedParts::expect_same(const Job& job) {
   const std::vector<Fact> now = facts_of(job, then.all());
   for (const auto& file : files_) compare(file->render().facts, now, diagnostics, {file->path().c_str(), kSameForAll});
   diagnostics.throw_if_errors();
+  is_spectral_ = job.settings.spectral;
   expect_frames(files_.front()->intervals(), name_of(*files_.front()));
   for (const IntervalState& state : files_.front()->intervals()) intervals_.push_back(places.of(state.places.frames));
 }
@@ -127,7 +128,7 @@ void MergedParts::load(std::size_t interval, Integrator& integrator) const {
     is_first ? file->load(interval, integrator) : file->add(interval, integrator);
     is_first = false;
   }
-  expect_images(integrator, static_cast<int>(intervals()[interval].size()));
+  expect_images(integrator, static_cast<int>(intervals()[interval].size()), is_spectral_);
 }
 
 }  // namespace dspm

@@ -42,6 +42,7 @@ class MergedParts {
 
   std::vector<std::unique_ptr<const CheckpointFile>> files_;  // by number of the part
   std::vector<FrameList> intervals_;
+  bool is_spectral_ = false;
 };
 
 }  // namespace dspm

@@ -1,5 +1,6 @@
 #include "dspm/session/job/developed.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -19,6 +20,8 @@ Image exposed(Image image, const Job& job) {
 
 Image developed(Image image, const Job& job) {
   image = exposed(std::move(image), job);
+  if (job.settings.spectral)
+    for (Rgb& pixel : image.pixels) pixel = map(pixel, [](float c) { return std::max(c, 0.f); });
   for (Rgb& pixel : image.pixels) pixel = limited(pixel, job.film.max_component);
   return image;
 }

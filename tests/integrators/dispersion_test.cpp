@@ -22,7 +22,7 @@ namespace dspm::test {
 namespace dispersion_test {
 
 constexpr double kApex = 25 * 3.14159265358979323846 / 180;
-constexpr int kIterations = 48, kWidth = 96, kBowIterations = 32;
+constexpr int kIterations = 64, kWidth = 96, kBowIterations = 32;
 
 constexpr const char* kByPhotons[] = {
     R"("dsppm" "integer photons" 150000 "float radius" 0.01)",

@@ -221,12 +221,19 @@ class LightMaker {
                            "\"photons\", \"caustics\" and \"group\" must be those of the light that it replaces");
       light.keys.push_back(key_of(plugin, state));
       const auto known = state.shape < 0 ? known_.find(light.keys.back()) : known_.end();
-      light.states.states.emplace_back(known != known_.end() ? known->second
-                                       : state.pattern       ? make_diffuse_area(reader, context, state.pattern)
-                                                             : plugin.make(reader, context));
+      light.states.states.push_back(known != known_.end() ? known->second
+                                                          : made(reader, context, plugin, state.pattern));
       if (diagnostics_.error_count() > errors) return std::nullopt;
       light.powers.push_back(luminance(light.states.states.back()->power()));
     }
+    return light;
+  }
+
+  template <class Pattern>
+  static std::shared_ptr<const Light> made(ParamReader& reader, const LightContext& context,
+                                           const Plugin<MakeLight>& plugin, const Pattern& pattern) {
+    std::unique_ptr<Light> light = pattern ? make_diffuse_area(reader, context, pattern) : plugin.make(reader, context);
+    if (light != nullptr) light->set_spectrum(reader.illuminant());
     return light;
   }
 

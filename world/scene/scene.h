@@ -95,8 +95,8 @@ class Scene {
   Vec3 center;                         // bounding sphere over all frames of the file
   float radius = 1;
 
-  /// What the paths of the iteration at hand carry: its own in a spectral render, which whoever asks for iterations sets.
-  const Palette* palette = &Palette::rgb();
+  /// What the paths of the iteration at hand carry.
+  std::shared_ptr<const Palette> palette{std::shared_ptr<const Palette>(), &Palette::rgb()};
 
   std::vector<PlacedShape> shapes;
   /// The distinct names of objects: what the scene file calls one thing, perhaps several shapes.
@@ -130,7 +130,7 @@ class Scene {
   std::unique_ptr<Accel> accel;
   std::vector<bool> catchers;  // by shape: whether it only shows how others change its light; empty: none in the file
   /// The same frames with nothing but the catchers and what emits light; null if the file has no catchers.
-  std::unique_ptr<const Scene> without_objects;
+  std::unique_ptr<Scene> without_objects;
   bool is_without_objects = false;
 
   int frame_count() const { return static_cast<int>(file_frames.size()); }
@@ -146,9 +146,15 @@ class Scene {
     const int index = interface_of[static_cast<std::size_t>(shape)];
     return index < 0 ? nullptr : &interfaces[static_cast<std::size_t>(index)];
   }
-  /// Returns the wavelength of all paths of an iteration; 0 if no body refracts by it.
+  /// Sets the palette; whoever asks for iterations of a spectral render does so before each.
+  void set_palette(const std::shared_ptr<const Palette>& of_iteration) {
+    palette = of_iteration;
+    if (without_objects != nullptr) without_objects->set_palette(of_iteration);
+  }
+  /// Returns the wavelength of all paths of an iteration, as Wavelength::nm says; 0 if no body refracts by it.
   std::int16_t nm_of(std::uint64_t seed, std::uint64_t iteration) const {
-    return disperses ? wavelength_of(seed, iteration) : std::int16_t{0};
+    if (!disperses) return 0;
+    return palette->is_rgb() ? wavelength_of(seed, iteration) : static_cast<std::int16_t>(-palette->nm(0));
   }
   /// Returns the surface where a ray of that direction hit.
   SurfacePoint surface_point(const RayHit& hit, const Vec3& direction) const {

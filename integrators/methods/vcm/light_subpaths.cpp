@@ -65,7 +65,7 @@ class LightPathTracer {
     const EmissionNumbers& u = chosen.numbers;
     const auto emission = start.light->emit({u[0], u[1]}, {u[2], u[3]});
     if (!emission || is_black(emission->flux) || !(emission->pdf.position * emission->pdf.direction > 0)) return;
-    const Spectrum flux = scene_.palette->light(emission->flux) * start.factor / chosen.density;
+    const Spectrum flux = start.light->carried(emission->flux, *scene_.palette) * start.factor / chosen.density;
     if (!is_light(flux) || !is_finite(emission->ray))
       return out_.rejections.add({SceneElement::Kind::light, chosen.light}, start.frames);
     light_ = start.light, scene_light_ = &scene_light, light_index_ = chosen.light, emission_ = *emission;
