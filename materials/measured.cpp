@@ -63,7 +63,7 @@ class Measured final : public Bsdf {
 
  private:
   Spectrum f(const Vec3& o, const Vec3& i, Transport transport) const {
-    return palette_->carried(transport == Transport::radiance ? file_->f(o, i) : file_->f(i, o));
+    return transport == Transport::radiance ? file_->f(o, i, *palette_) : file_->f(i, o, *palette_);
   }
 
   ShadingFrame frame_;

@@ -129,12 +129,14 @@ void MeasuredFile::read_reflectance(const Tables& tables) {
     fail("the table of reflected light has another size than its angles and wavelengths");
   side_ = static_cast<int>(side), reflectance_.resize(parameters_.count() * side * side);
   const SampledColours of_spectra(nm);
+  if (!is_rgb) spectra_ = SampledSpectra(nm, reflectance_.size());
   std::vector<float> values(colours);
   for (std::size_t i = 0; i < reflectance_.size(); ++i) {
     const std::size_t grid = i / (side * side), texel = i % (side * side);
     for (std::size_t c = 0; c < colours; ++c)
       values[c] = std::max(0.f, tensor.values[(grid * colours + c) * side * side + texel]);
     reflectance_[i] = is_rgb ? Rgb(values[0], values[1], values[2]) : of_spectra.of(values);
+    if (!is_rgb) spectra_.set(i, values);
   }
 }
 
@@ -160,24 +162,28 @@ float MeasuredFile::measure_alpha() const {
   return std::clamp(static_cast<float>(alpha), Ggx::kSmoothest, 1.f);
 }
 
-Rgb MeasuredFile::reflectance(const Vec2& p, const GridMix& mix) const {
+Spectrum MeasuredFile::reflectance(const Vec2& p, const GridMix& mix, const Palette& palette) const {
   const auto side = static_cast<std::size_t>(side_);
   const GridPlace at(p, side_, side_);
-  Rgb sum;
-  for (std::size_t k = 0; k < 4; ++k)
-    if (mix.weight[k] != 0)
-      sum += mix.weight[k] * at.interpolate([&](int x, int y) {
-        return reflectance_[(mix.grid[k] * side + static_cast<std::size_t>(y)) * side + static_cast<std::size_t>(x)];
-      });
-  return sum;
+  const auto interpolated = [&](auto sum, const auto& value) {
+    for (std::size_t k = 0; k < 4; ++k)
+      if (mix.weight[k] != 0)
+        sum += mix.weight[k] * at.interpolate([&](int x, int y) {
+          return value((mix.grid[k] * side + static_cast<std::size_t>(y)) * side + static_cast<std::size_t>(x));
+        });
+    return sum;
+  };
+  if (!palette.is_rgb() && !spectra_.empty())
+    return interpolated(Spectrum(), [&](std::size_t i) { return spectra_.at(i, palette); });
+  return palette.carried(interpolated(Rgb(), [&](std::size_t i) { return reflectance_[i]; }));
 }
 
-Rgb MeasuredFile::f(const Vec3& wo, const Vec3& wi) const {
+Spectrum MeasuredFile::f(const Vec3& wo, const Vec3& wi, const Palette& palette) const {
   const Facet facet(*this, wo, wi);
   const float sigma = projected_.at(facet.o);
   if (!(sigma > 0)) return {};
   const BilinearWarp::Point warped = visible_.invert(facet.at, facet.mix);
-  return reflectance(warped.p, facet.mix) * (facets_.at(facet.at) / (4 * sigma * wi.z));
+  return reflectance(warped.p, facet.mix, palette) * (facets_.at(facet.at) / (4 * sigma * wi.z));
 }
 
 float MeasuredFile::density(const Vec3& wo, const Vec3& wi) const {

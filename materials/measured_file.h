@@ -4,7 +4,10 @@
 #include <map>
 #include <string>
 
+#include "dspm/base/colour/palette.h"
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/sampled_spectra.h"
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/bilinear_warp.h"
 #include "dspm/materials/tensor_file.h"
@@ -16,7 +19,7 @@ class MeasuredFile {
   /// Throws std::runtime_error with what is wrong with the tables.
   explicit MeasuredFile(const std::map<std::string, Tensor>& tables);
 
-  Rgb f(const Vec3& wo, const Vec3& wi) const;
+  Spectrum f(const Vec3& wo, const Vec3& wi, const Palette& palette) const;
   /// Returns a direction that may lie below the surface: then light is absorbed.
   Vec3 sample(const Vec3& wo, const Vec2& u) const;
   float density(const Vec3& wo, const Vec3& wi) const;
@@ -34,7 +37,7 @@ class MeasuredFile {
   static Grid grid_of(const Tensor& table);
   void read_reflectance(const std::map<std::string, Tensor>& tables);
   float measure_alpha() const;
-  Rgb reflectance(const Vec2& p, const GridMix& mix) const;
+  Spectrum reflectance(const Vec2& p, const GridMix& mix, const Palette& palette) const;
   float turn(float phi_of_facet, float phi_o) const { return is_isotropic_ ? phi_of_facet - phi_o : phi_of_facet; }
 
   GridParameters parameters_;  // azimuth and angle to the normal of wo
@@ -43,6 +46,7 @@ class MeasuredFile {
   BilinearWarp visible_, luminance_;
   int side_ = 0;                  // of the square of `reflectance_`
   std::vector<Rgb> reflectance_;  // by grid
+  SampledSpectra spectra_;        // likewise; empty: it was measured in RGB
   float alpha_;
 };
 

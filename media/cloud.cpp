@@ -83,7 +83,9 @@ std::unique_ptr<Medium> make_cloud(ParamReader& reader, const MediumContext& con
                     reader.number("wispiness", 1, "", "how far it is frayed"),
                     reader.number("frequency", 5, "", "how fine it is, per unit of the medium's space")};
   reader.finish();
-  return std::make_unique<Cloud>(box, coefficients, shape);
+  auto medium = std::make_unique<Cloud>(box, coefficients, shape);
+  medium->set_spectra(coefficients.spectra);
+  return medium;
 }
 
 }  // namespace dspm

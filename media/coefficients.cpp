@@ -11,8 +11,10 @@ namespace dspm {
 Coefficients read_coefficients(ParamReader& reader, const Rgb& sigma_a, const Rgb& sigma_s) {
   Coefficients read;
   const std::string preset = reader.text("preset", "", "a measured medium such as \"Wholemilk\", per millimetre");
-  read.sigma_a = reader.rgb("sigma_a", sigma_a, SpectrumRole::unbounded, "absorption per unit of length in the world");
-  read.sigma_s = reader.rgb("sigma_s", sigma_s, SpectrumRole::unbounded, "scattering per unit of length in the world");
+  read.spectra = {
+      reader.colour("sigma_a", sigma_a, SpectrumRole::unbounded, "absorption per unit of length in the world"),
+      reader.colour("sigma_s", sigma_s, SpectrumRole::unbounded, "scattering per unit of length in the world")};
+  read.sigma_a = read.spectra.sigma_a.rgb, read.sigma_s = read.spectra.sigma_s.rgb;
   const float scale = reader.number("scale", 1, "", "multiplies both");
   read.g = reader.number("g", 0, "", "mean cosine of scattering, between -1 (back) and 1 (on)");
   if (!preset.empty()) {

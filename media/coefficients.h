@@ -3,6 +3,7 @@
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/params/params.h"
+#include "dspm/media/medium.h"
 
 namespace dspm {
 
@@ -10,6 +11,7 @@ namespace dspm {
 struct Coefficients {
   Rgb sigma_a, sigma_s;
   float g = 0;
+  MediumSpectra spectra = {};  // for Medium::set_spectra()
 };
 
 /// Reads "preset", "sigma_a", "sigma_s", "scale" and "g".

@@ -40,7 +40,10 @@ std::unique_ptr<Medium> make_homogeneous_medium(ParamReader& reader, const Mediu
   const Coefficients read = read_coefficients(reader, {.0011f, .0024f, .014f}, {2.55f, 3.21f, 3.77f});
   const Rgb emission = read_emitted_radiance(reader);
   reader.finish();
-  return std::make_unique<Homogeneous>(MediumProperties{read.sigma_a, read.sigma_s, read.sigma_a * emission, read.g});
+  auto medium =
+      std::make_unique<Homogeneous>(MediumProperties{read.sigma_a, read.sigma_s, read.sigma_a * emission, read.g});
+  medium->set_spectra(read.spectra);
+  return medium;
 }
 
 }  // namespace dspm

@@ -19,6 +19,7 @@ Bounds3 filled_part(const Bounds3& box, const Medium& medium) {
 
 Majorants::Majorants(std::span<const Medium* const> states) {
   for (const Medium* state : states) {
+    if (state->spectra().are_given()) spectra_.push_back(state->spectra());
     if (const auto extent = state->extent())
       extent_.add(*extent);
     else
@@ -48,8 +49,21 @@ Majorants::Majorants(std::span<const Medium* const> states) {
       }
 }
 
+Spectrum Majorants::most_over_bound(const Palette& palette) const {
+  Spectrum most(1);
+  if (palette.is_rgb()) return most;
+  const auto at_its = [&](const Colour& c) { return c.spectrum ? palette.at_its(*c.spectrum) : palette.per_length(c.rgb); };
+  for (const MediumSpectra& state : spectra_) {
+    const Spectrum all = at_its(state.sigma_a) + at_its(state.sigma_s);
+    const Spectrum bound = palette.per_length(state.sigma_a.rgb + state.sigma_s.rgb);
+    for (int k = 0; k < 3; ++k)
+      if (bound[k] > 0) most[k] = std::max(most[k], all[k] / bound[k]);
+  }
+  return most;
+}
+
 TentativeCollisions::TentativeCollisions(const Majorants& majorants, const Ray& ray, int colour, const Palette& palette)
-    : majorants_(majorants), ray_(ray), colour_(colour), palette_(palette) {
+    : majorants_(majorants), ray_(ray), colour_(colour), palette_(palette), over_bound_(majorants.most_over_bound(palette)) {
   if (majorants.everywhere_) return;
   for (int axis = 0; axis < 3; ++axis) {
     const float o = ray.origin[axis], d = ray.direction[axis];
@@ -66,7 +80,7 @@ TentativeCollisions::TentativeCollisions(const Majorants& majorants, const Ray& 
 void TentativeCollisions::enter() {
   t_ = std::max(t_, t_in_);
   if (majorants_.everywhere_) {
-    majorant_ = palette_.per_length(majorants_.cells_.front()), t_cell_ = kInfinity;
+    majorant_ = palette_.per_length(majorants_.cells_.front()) * over_bound_, t_cell_ = kInfinity;
     return;
   }
   const Vec3 p = ray_.at(t_), size = majorants_.extent_.extent();
@@ -79,7 +93,7 @@ void TentativeCollisions::enter() {
     const float plane = low + width * static_cast<float>(cell_[a] + (d > 0));
     t_next_[axis] = d == 0 ? kInfinity : (plane - ray_.origin[axis]) / d;
   }
-  majorant_ = palette_.per_length(majorants_.of(cell_));
+  majorant_ = palette_.per_length(majorants_.of(cell_)) * over_bound_;
   t_cell_ = std::max(t_, std::min({t_next_.x, t_next_.y, t_next_.z, t_out_}));
 }
 
@@ -94,7 +108,7 @@ void TentativeCollisions::enter_next_cell() {
   }
   const float width = majorants_.extent_.extent()[axis] / static_cast<float>(majorants_.counts_[a]);
   t_next_[axis] += width / std::abs(d);
-  majorant_ = palette_.per_length(majorants_.of(cell_));
+  majorant_ = palette_.per_length(majorants_.of(cell_)) * over_bound_;
   t_cell_ = std::max(t_, std::min({t_next_.x, t_next_.y, t_next_.z, t_out_}));
 }
 

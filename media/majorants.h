@@ -26,6 +26,10 @@ class Majorants {
   bool is_everywhere() const { return everywhere_; }
   const Bounds3& extent() const { return extent_; }
 
+  /// Returns what sigma_t may be, at the palette's wavelengths, over the bound that is made of colours: more than 1 if
+  /// states are given as spectra.
+  Spectrum most_over_bound(const Palette& palette) const;
+
  private:
   friend class TentativeCollisions;
 
@@ -37,6 +41,7 @@ class Majorants {
   Bounds3 extent_;
   std::array<int, 3> counts_{1, 1, 1};
   std::vector<Rgb> cells_;  // x fastest
+  std::vector<MediumSpectra> spectra_;  // of the states that have them
 };
 
 /// Draws the tentative collisions along a ray, one after another, by the majorant of one colour.
@@ -72,6 +77,7 @@ class TentativeCollisions {
   std::array<int, 3> cell_{};
   Vec3 t_next_;  // where the ray crosses the next plane of each axis
   const Palette& palette_;
+  const Spectrum over_bound_;
   Spectrum majorant_, depth_;
 };
 

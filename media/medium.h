@@ -4,7 +4,9 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
+#include "dspm/base/colour/colour.h"
 #include "dspm/base/colour/palette.h"
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/colour/spectrum.h"
@@ -35,9 +37,12 @@ struct MediumPropertiesIn {
 using MediumProperties = MediumPropertiesIn<Rgb>;
 /// The same as paths carry it.
 using CarriedMedium = MediumPropertiesIn<Spectrum>;
-inline CarriedMedium carried(const MediumProperties& here, const Palette& palette) {
-  return {palette.per_length(here.sigma_a), palette.per_length(here.sigma_s), palette.light(here.emitted), here.g};
-}
+
+/// What a medium's sigmas are multiples of, if they are given as spectra.
+struct MediumSpectra {
+  Colour sigma_a, sigma_s;
+  bool are_given() const { return sigma_a.spectrum || sigma_s.spectrum; }
+};
 
 class Medium {
  public:
@@ -54,6 +59,15 @@ class Medium {
   /// Returns the properties if they are the same everywhere: light that is left after a distance is then computed, not
   /// estimated.
   virtual std::optional<MediumProperties> everywhere() const { return std::nullopt; }
+
+  /// The spectra, for any plugin. Set once, when the medium is made.
+  const MediumSpectra& spectra() const { return spectra_; }
+  void set_spectra(MediumSpectra spectra) { spectra_ = std::move(spectra); }
+  /// Returns properties that the medium gave, as paths carry them.
+  CarriedMedium carried(const MediumProperties& here, const Palette& palette) const;
+
+ private:
+  MediumSpectra spectra_;
 };
 
 struct MediumContext {

@@ -93,8 +93,10 @@ std::unique_ptr<Medium> make_nanovdb(ParamReader& reader, const MediumContext& c
   if (!density && sound)
     reader.error("gridname", fmt::format("\"{}\" has no grid \"{}\"", file.string(), density_name));
   if (!density) return nullptr;
-  return std::make_unique<SparseMedium>(context.to_world, coefficients, *std::move(density),
-                                        read_grid(reader, file, temperature_name), glow);
+  auto medium = std::make_unique<SparseMedium>(context.to_world, coefficients, *std::move(density),
+                                               read_grid(reader, file, temperature_name), glow);
+  medium->set_spectra(coefficients.spectra);
+  return medium;
 }
 
 }  // namespace dspm

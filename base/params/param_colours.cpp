@@ -49,6 +49,11 @@ Rgb ParamReader::rgb(std::string_view name, Rgb fallback, SpectrumRole role, std
   return take_colour(name, {fallback}, default_text(fallback), role, false, sentence).value;
 }
 
+Colour ParamReader::colour(std::string_view name, Rgb fallback, SpectrumRole role, std::string_view sentence) {
+  const auto taken = take_colour(name, {fallback}, default_text(fallback), role, false, sentence);
+  return {taken.value, taken.spectrum};
+}
+
 Rgb ParamReader::rgb(std::string_view name, std::string_view named_fallback, SpectrumRole role,
                      std::string_view sentence) {
   const std::string default_value = fmt::format("\"{}\"", named_fallback);
@@ -59,7 +64,7 @@ ColourOrSpectrum ParamReader::colour_or_spectrum(std::string_view name, Rgb fall
                                                  std::string_view sentence) {
   const Param* param = take(name, kColourTypes, default_text(fallback), {}, sentence);
   if (param == nullptr) return {fallback, {}};
-  if (param->type != ParamType::spectrum) return {colour(*param, role).value_or(Colour{fallback}).rgb, {}};
+  if (param->type != ParamType::spectrum) return {colour_of(*param, role).value_or(Colour{fallback}).rgb, {}};
   std::optional<SpectralCurve> given = spectrum(*param);
   const Rgb seen = given ? to_rgb(*given, role) : fallback;
   return {seen, std::move(given)};
@@ -88,7 +93,7 @@ ValueOrTexture<Rgb> ParamReader::take_colour(std::string_view name, const Colour
             where(name),
             fallback.spectrum};
   if (param->type != ParamType::texture) {
-    const Colour given = colour(*param, role).value_or(fallback);
+    const Colour given = colour_of(*param, role).value_or(fallback);
     return {given.rgb, {}, param->values_where, given.spectrum};
   }
   const std::string texture = count_is(*param, 1) ? std::get<std::vector<std::string>>(param->values).front() : "";
@@ -104,7 +109,7 @@ std::vector<Rgb> ParamReader::colours(std::string_view name, SpectrumRole role, 
   return colours;
 }
 
-std::optional<Colour> ParamReader::colour(const Param& param, SpectrumRole role) {
+std::optional<Colour> ParamReader::colour_of(const Param& param, SpectrumRole role) {
   const auto of_curve = [&](const SpectralCurve& curve) {
     Colour colour = Colour::of(curve, role);
     if (role == SpectrumRole::illuminant) illuminant_ = colour.spectrum;

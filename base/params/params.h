@@ -130,12 +130,14 @@ class ParamReader {
   /// Reads a colour, given as rgb, spectrum, blackbody, or as one float for all of rgb. The result is in Rec. 709,
   /// whatever colour space the scene uses.
   Rgb rgb(std::string_view name, Rgb fallback, SpectrumRole role, std::string_view sentence);
+  /// Reads a colour like rgb() above, and keeps the spectrum if it is given as one.
+  Colour colour(std::string_view name, Rgb fallback, SpectrumRole role, std::string_view sentence);
   /// Reads a colour like rgb() above, but the default is a named spectrum such as "metal-Cu-eta".
   Rgb rgb(std::string_view name, std::string_view named_fallback, SpectrumRole role, std::string_view sentence);
   /// Returns the last illuminant that was read, null if it was none or no spectrum: the rgb that rgb() returned is its
   /// colour.
   const std::shared_ptr<const SpectrumByNm>& illuminant() const { return illuminant_; }
-  /// Reads a colour like rgb() above, and keeps the spectrum if it is given as one.
+  /// Reads a colour like rgb() above, and keeps the curve if it is given as a spectrum.
   ColourOrSpectrum colour_or_spectrum(std::string_view name, Rgb fallback, SpectrumRole role,
                                       std::string_view sentence);
   ValueOrTexture<float> number_or_texture(std::string_view name, float fallback, std::string_view unit,
@@ -194,7 +196,7 @@ class ParamReader {
               std::string_view sentence);
   ValueOrTexture<Rgb> take_colour(std::string_view name, const Colour& fallback, std::string default_value,
                                   SpectrumRole role, bool textures, std::string_view sentence);
-  std::optional<Colour> colour(const Param& param, SpectrumRole role);
+  std::optional<Colour> colour_of(const Param& param, SpectrumRole role);
   std::optional<SpectralCurve> spectrum(const Param& param);
   std::optional<SpectralCurve> spectrum_from_file(const Param& param, const std::string& name);
   std::optional<SpectralCurve> spectrum_from_pairs(const Param& param, const std::vector<float>& pairs);

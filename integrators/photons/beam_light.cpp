@@ -34,7 +34,7 @@ class Segment {
   Segment(const Ray& ray, const MediumSection& section, const Palette& palette)
       : ray_(ray), section_(section), palette_(palette), begin_(section.begin), end_(section.end) {
     if (const auto extent = section.medium->extent()) clip(*extent);
-    if (const auto same = section.medium->everywhere()) everywhere_ = carried(*same, palette);
+    if (const auto same = section.medium->everywhere()) everywhere_ = section.medium->carried(*same, palette);
     if (!everywhere_) return;
     for (int c = 0; c < 3; ++c)
       if (everywhere_->sigma_s[c] > 0) colours_[count_++] = {everywhere_->sigma_t()[c], length()};
@@ -66,7 +66,7 @@ class Segment {
   }
   /// Returns a point that was drawn with that density.
   DrawnPoint at(float t, float density) const {
-    const CarriedMedium here = everywhere_ ? *everywhere_ : carried(section_.medium->at(ray_.at(t)), palette_);
+    const CarriedMedium here = everywhere_ ? *everywhere_ : section_.medium->carried(section_.medium->at(ray_.at(t)), palette_);
     return {t, here.sigma_s * section_.left_at(t) / density, here.g};
   }
 

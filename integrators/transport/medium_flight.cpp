@@ -52,7 +52,7 @@ bool MediumFlight::meet(float distance) {
   const Spectrum& majorant = collisions_.majorant();
   const float u = number();
   for (Flying& each : flying_) {
-    const CarriedMedium here = carried(each.medium->at(p), palette_);
+    const CarriedMedium here = each.medium->carried(each.medium->at(p), palette_);
     if (max_component(here.emitted) > 0)
       glowing_.add({each.frames, each.weight * left * here.emitted / mean(each.share * left * majorant)});
     const Spectrum sigma_t = here.sigma_t();

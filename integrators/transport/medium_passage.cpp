@@ -37,7 +37,7 @@ MediumPassage::MediumPassage(const Medium& medium, const Majorants& majorants, c
       numbers_(numbers),
       steps_(steps),
       collisions_(majorants, ray, TentativeCollisions::kLargest, palette) {
-  if (const auto same = medium.everywhere()) everywhere_ = carried(*same, palette);
+  if (const auto same = medium.everywhere()) everywhere_ = medium.carried(*same, palette);
 }
 
 MediumSection MediumPassage::advance(float end, DrawnCollision* drawn) {
@@ -73,7 +73,7 @@ Spectrum MediumPassage::pass_by_steps(float end, DrawnCollision* drawn) {
   const auto number = [&] { return numbers_.next(); };
   Spectrum glow;
   while (!is_black(left_) && collisions_.advance(end, number)) {
-    const CarriedMedium here = carried(medium_.at(ray_.at(collisions_.distance())), palette_);
+    const CarriedMedium here = medium_.carried(medium_.at(ray_.at(collisions_.distance())), palette_);
     const Spectrum sigma_t = here.sigma_t();
     const float largest = max_component(collisions_.majorant());
     glow += left_ * here.emitted / largest;

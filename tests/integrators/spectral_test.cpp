@@ -122,6 +122,31 @@ Shape "trianglemesh" "point3 P" [-3 -3 -3 3 -3 -3 3 3 -3 -3 3 -3  -3 -3 0 3 -3 0
   expect_near(mean_of(view(kSpectral, R"("path" "integer maxdepth" 8)", pane), 64), expected, 0.015f);
 }
 
+// Dye that absorbs in one band: what is left of light in it is exp(-sigma d) at each wavelength, in an even medium and in a
+// grid, whose bounds must be those of the band.
+TEST(Spectral, MediaAbsorbByTheirSpectra) {
+  const SpectralCurve band{{480, 520, 560}, {0.05f, 2, 0.05f}};
+  const Rgb expected = seen([&](int nm) {
+    return std::exp(-2.f * band.at(std::clamp(static_cast<float>(nm), 480.f, 560.f)));
+  });
+  for (const char* medium :
+       {R"("string type" "homogeneous")",
+        R"("string type" "uniformgrid" "integer nx" 3 "integer ny" 3 "integer nz" 3 "point3 p0" [-9 -9 -9] "point3 p1" [9 9 9]
+           "float density" [1 1 1 1 1 1 1 1 1  1 1 1 1 1 1 1 1 1  1 1 1 1 1 1 1 1 1])"}) {
+    const std::string contents = kWhiteSky + "MakeNamedMedium \"dye\" " + medium +
+                                 R"( "spectrum sigma_a" [480 .05 520 2 560 .05] "rgb sigma_s" [0 0 0]
+MediumInterface "dye" ""
+Material "interface"
+Shape "trianglemesh" "point3 P" [-2 -2 -2 2 -2 -2 2 2 -2 -2 2 -2  -2 -2 0 2 -2 0 2 2 0 -2 2 0]
+  "integer indices" [0 2 1 0 3 2  4 5 6 4 6 7  0 1 5 0 5 4  1 2 6 1 6 5  2 3 7 2 7 6  3 0 4 3 4 7]
+)";
+    for (const char* integrator : {R"("path" "integer maxdepth" 8)", R"("dsppm" "integer photons" 2000)"}) {
+      SCOPED_TRACE(std::string(medium) + integrator);
+      expect_near(mean_of(view(kSpectral, integrator, contents), 128), expected, 0.02f);
+    }
+  }
+}
+
 TEST(Spectral, FilmsInterfereByWavelength) {
   constexpr double kBase = 1.5, kNm = 700;
   const std::string film = kWhiteSky + R"(Material "principled" "rgb basecolor" [0 0 0] "float roughness" 0

@@ -74,6 +74,25 @@ TEST(Measured, SpectraBecomeColours) {
   EXPECT_GT(f[0], 2 * f[2]);
 }
 
+// A straight line over wavelength is the same in wide samples.
+TEST(Measured, SpectralRendersTakeItsWavelengths) {
+  const auto material = measured(ggx_tables(kAlpha, {0.1f, 0.3f, 0.5f, 0.7f, 0.9f}));  // at 400, 475, ... nm
+  const Vec3 wo{0, 0, 1}, wi = direction(0.9f, 1);
+  const float white = formula(wo, wi) / kReflectance;
+  for (std::uint64_t iteration = 0; iteration < 16; ++iteration) {
+    const auto palette = Palette::of_iteration(1, iteration);
+    SurfacePoint point = surface();
+    point.palette = palette.get();
+    BsdfSlot slot;
+    const Spectrum f = material->bsdf(point, slot).evaluate(wo, wi, Transport::radiance, 1);
+    for (int k = 0; k < 3; ++k) {
+      const float expected = 0.1f + 0.8f * static_cast<float>(palette->nm(k) - 400) / 300;
+      if (palette->nm(k) < 420 || palette->nm(k) > 680) continue;
+      EXPECT_NEAR(f[k], expected * white, 0.04f * white) << palette->nm(k);
+    }
+  }
+}
+
 TEST(Measured, IsAsRoughAsItsFacets) {
   for (const float alpha : {0.1f, 0.35f, 0.8f}) {
     const auto material = measured(ggx_tables(alpha, {1, 1}));

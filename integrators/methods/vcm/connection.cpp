@@ -30,7 +30,7 @@ void LightSubpath::load_in_medium(const Scene& scene, const LightVertex& light, 
   const std::size_t first = surfaces_.size();
   scene.media[static_cast<std::size_t>(light.medium)].states.for_each(
       light.frames, [&](FrameSet frames, const Medium& medium) {
-        const CarriedMedium here = carried(medium.at(light.p), *scene.palette);
+        const CarriedMedium here = medium.carried(medium.at(light.p), *scene.palette);
         surfaces_.push_back({frames, {}});
         surfaces_.back().bsdf.emplace<PhaseBsdf>(here.albedo(), HenyeyGreenstein(here.g));
       });

@@ -94,7 +94,7 @@ void for_each_merge(const VcmPass& pass, const LightVertexMap& map, const Camera
             light.flux * f * light.hue_on_merging(camera.is_alone) * (weight / pass.ways.merging_in_media);
         pass.scene.media[static_cast<std::size_t>(light.medium)].states.for_each(
             common, [&](FrameSet alike, const Medium& medium) {
-              const Spectrum sigma_t = carried(medium.at(light.p), *pass.scene.palette).sigma_t();
+              const Spectrum sigma_t = medium.carried(medium.at(light.p), *pass.scene.palette).sigma_t();
               Spectrum radiance;
               for (int c = 0; c < 3; ++c) radiance[c] = weighted[c] > 0 ? weighted[c] / sigma_t[c] : 0;
               fn(Brought{alike, radiance, strands, light.light});
