@@ -53,7 +53,8 @@ void report_rejections(const Rejections& rejections, const World& world, const F
 }
 
 void black_out_invalid(Image& image, const OutputInfo& output, FileFrame frame, const Job& job, Messages& messages) {
-  const bool is_light = output.is_radiance || output.name == kRadiance;
+  // By wavelength, colours outside Rec. 709 are negative until they are developed.
+  const bool is_light = !job.settings.spectral && (output.is_radiance || output.name == kRadiance);
   const auto invalid = [&](const Rgb& c) { return !is_finite(c) || (is_light && (c.r < 0 || c.g < 0 || c.b < 0)); };
   const auto first = std::find_if(image.pixels.begin(), image.pixels.end(), invalid);
   if (first == image.pixels.end()) return;

@@ -38,6 +38,7 @@ std::span<const Section> sections() {
       {"denoise", "error and flicker after 16 iterations, with --denoise and without", measure_denoise},
       {"white", "what white principled materials give back in a white furnace", measure_white},
       {"dispersion", "prisms: frames together against one by one, and how far from white", measure_dispersion},
+      {"colours", "spectral renders against RGB: cost, noise, and how soon colours are right", measure_colours},
   };
   return kSections;
 }

@@ -30,5 +30,6 @@ Findings measure_reading(const Setup& setup);
 Findings measure_denoise(const Setup& setup);
 Findings measure_white(const Setup& setup);
 Findings measure_dispersion(const Setup& setup);
+Findings measure_colours(const Setup& setup);
 
 }  // namespace dspm

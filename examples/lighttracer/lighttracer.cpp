@@ -8,6 +8,7 @@
 #include <dspm/integrators/summing_integrator.h>
 #include <dspm/integrators/tiles.h>
 #include <dspm/integrators/transport/branching_path.h>
+#include <dspm/integrators/transport/roulette.h>
 #include <dspm/session/modules/module.h>
 
 namespace {

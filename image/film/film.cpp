@@ -105,18 +105,19 @@ std::unique_ptr<FilmSettings> make_rgb(ParamReader& reader) {
   return film;
 }
 
-/// Makes an rgb film with buckets that nothing fills.
+/// Makes a film of a spectral render, with buckets that nothing fills.
 std::unique_ptr<FilmSettings> make_spectral(ParamReader& reader) {
   const int buckets = reader.integer("nbuckets", 16, "", "of the wavelengths, in pbrt");
   const float shortest = reader.number("lambdamin", 360, "nm", "shortest wavelength, in pbrt");
   const float longest = reader.number("lambdamax", 830, "nm", "longest wavelength, in pbrt");
   auto film = std::make_unique<FilmSettings>();
+  film->spectral = true;
   read_common(reader, *film);
   if (buckets < 1) reader.error("nbuckets", "the number of buckets must be at least 1");
   if (!(shortest < longest)) reader.error("lambdamax", "the longest wavelength must be above the shortest");
   reader.diagnostics().note(reader.where(),
-                            "film \"spectral\" is rendered as \"rgb\": dspm renders colours, so the image "
-                            "has no layers of single wavelengths");
+                            "film \"spectral\" is rendered by wavelength, but the image has no layers of single "
+                            "wavelengths");
   return film;
 }
 
@@ -135,7 +136,7 @@ PluginTable<Plugin<MakeFilm>>& film_plugins() {
   static PluginTable<Plugin<MakeFilm>> table("film",
                                              {{"rgb", "colour images, one per frame", make_rgb},
                                               {"gbuffer", "colours, and what the camera sees first", make_gbuffer},
-                                              {"spectral", "as rgb, with a note", make_spectral}});
+                                              {"spectral", "by wavelength, into an image in RGB", make_spectral}});
   return table;
 }
 

@@ -1,7 +1,6 @@
 // The parameters of the Film directive as plain settings, and the arithmetic that follows from them.
 //   Film "rgb" "integer xresolution" 512 "integer yresolution" 512 "string filename" "water.exr"
-// film.cpp reads the parameters. pbrt's film "spectral" and its real sensors are read as "rgb" and "cie1931", with a
-// note.
+// film.cpp reads the parameters. pbrt's real sensors are read as "cie1931", with a note.
 #pragma once
 
 #include <array>
@@ -33,6 +32,7 @@ struct FilmSettings {
   bool surface_outputs = false;  // next to radiance, what the camera sees first
   bool transparent = false;      // with alpha, and without what lies behind all surfaces
   bool in_camera_space = false;  // positions and normals among them; else in world space
+  bool spectral = false;         // paths carry wavelengths, unless Option "colour" says otherwise
 };
 
 /// What image files may be, by their extensions, in words.

@@ -12,6 +12,7 @@
 #include "dspm/integrators/transport/camera_path.h"
 #include "dspm/integrators/transport/direct_light.h"
 #include "dspm/integrators/transport/light_value.h"
+#include "dspm/integrators/transport/roulette.h"
 #include "dspm/integrators/transport/scattering_place.h"
 #include "dspm/world/scene/scene.h"
 

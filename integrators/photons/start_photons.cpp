@@ -1,7 +1,9 @@
 #include "dspm/integrators/photons/start_photons.h"
 
+#include "dspm/base/colour/rgb.h"
 #include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/ray.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/integrators/photons/emission_guide.h"
 #include "dspm/integrators/photons/seen_along.h"
@@ -43,6 +45,23 @@ void start_photons(const Scene& scene, const PhotonSettings& settings, const Pho
            is_light(flux) && is_finite(emission->ray)});
     }
   }
+}
+
+FrameArray<FrameFactor> weights_of_states(const Palette& palette, const SceneLight::Alike& alike, const Ray& start,
+                                          const Rgb& flux, FrameSet& invalid) {
+  const Light& first = *alike.first;
+  FrameArray<FrameFactor> weights;
+  for (const auto& [frames, light] : alike.states) {
+    const Rgb in_rgb = light->ratio_along(first, start);
+    const std::optional<Spectrum> weight =
+        palette.is_rgb() ? palette.carried(in_rgb)
+                         : ratio(light->carried(flux * in_rgb, palette), first.carried(flux, palette));
+    if (weight && is_light(*weight))
+      weights.add({frames, *weight});
+    else
+      invalid |= frames;
+  }
+  return weights;
 }
 
 }  // namespace dspm

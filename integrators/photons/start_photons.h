@@ -3,6 +3,9 @@
 
 #include <vector>
 
+#include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/base/math/ray.h"
 #include "dspm/integrators/photons/photon_starts.h"
 #include "dspm/integrators/photons/photon_writer.h"
 #include "dspm/world/scene/scene.h"
@@ -19,5 +22,10 @@ struct StartedPhoton {
 /// Replaces `started` by the starts of the path with these numbers. `wavelength` is that of the path.
 void start_photons(const Scene& scene, const PhotonSettings& settings, const PhotonStarts& starts,
                    const PathRandom& random, const Wavelength& wavelength, std::vector<StartedPhoton>& started);
+
+/// Returns what the photon carries in each state of the light, over what it does in the first, whose photon of that flux it
+/// is. Adds frames whose state gives no such light to `invalid`.
+FrameArray<FrameFactor> weights_of_states(const Palette& palette, const SceneLight::Alike& alike, const Ray& start,
+                                          const Rgb& flux, FrameSet& invalid);
 
 }  // namespace dspm

@@ -16,6 +16,7 @@
 #include "dspm/integrators/transport/joint_path.h"
 #include "dspm/integrators/transport/lobe_choice.h"
 #include "dspm/integrators/transport/parted_paths.h"
+#include "dspm/integrators/transport/roulette.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {

@@ -69,23 +69,10 @@ class PhotonTracer {
 
   /// Weights a photon that starts from the first state for each state of a light; returns whether any weight remains.
   bool weigh(PhotonPath& path, const SceneLight::Alike& alike, const PhotonOrigin& from) {
-    FrameArray<FrameFactor> weights;
-    for (const auto& [frames, light] : alike.states) {
-      const auto weight = weight_of(*light, *alike.first, path.ray, from.flux);
-      if (weight && is_light(*weight))
-        weights.add({frames, *weight});
-      else
-        reject(frames, {SceneElement::Kind::light, from.index});
-    }
+    FrameSet invalid;
+    const auto weights = weights_of_states(*scene_.palette, alike, path.ray, from.flux, invalid);
+    if (!invalid.empty()) reject(invalid, {SceneElement::Kind::light, from.index});
     return !weights.empty() && multiply(path, weights, out_.strands, ByRatio::yes, keep_all);
-  }
-
-  /// Returns what a photon of `light` carries over what one of `first`, of that flux, does.
-  std::optional<Spectrum> weight_of(const Light& light, const Light& first, const Ray& ray, const Rgb& flux) const {
-    const Rgb in_rgb = light.ratio_along(first, ray);
-    const Palette& palette = *scene_.palette;
-    return palette.is_rgb() ? palette.carried(in_rgb)
-                            : ratio(light.carried(flux * in_rgb, palette), first.carried(flux, palette));
   }
 
   bool postpones(const PhotonPath&, const HitPartition&) { return false; }

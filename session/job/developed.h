@@ -8,7 +8,7 @@
 
 namespace dspm {
 
-/// Exposes and balances the image as the film says, but without its limit.
+/// Exposes and balances the image as the film says, but without its limit. Colours outside Rec. 709 are clamped to it.
 Image exposed(Image image, const Job& job);
 /// Exposes and balances the image, with the film's limit.
 Image developed(Image image, const Job& job);

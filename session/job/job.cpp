@@ -245,7 +245,8 @@ Job make_job(const SceneDescription& description, const Choices& choices, Diagno
   settings.seed = choices.seed.value_or(static_cast<std::uint64_t>(integer_of(job.params, "seed", seed)));
   const std::string& numbers = description.options.numbers;
   settings.independent_numbers = numbers.empty() ? sampler.independent_numbers : numbers == "independent";
-  settings.spectral = (choices.colour.empty() ? description.options.colour : choices.colour) == "spectral";
+  const std::string& colour = choices.colour.empty() ? description.options.colour : choices.colour;
+  settings.spectral = colour.empty() ? job.film.spectral : colour == "spectral";
   settings.noise_per_frame = noise_of(job, sampler, choices) == "perframe";
   if (job.plugin != nullptr) {
     check_integrator(job, job.params, job.where, diagnostics);

@@ -20,4 +20,14 @@ ChosenLight LightChoice::choose(float u) const {
   return {static_cast<int>(i), probability_[static_cast<std::size_t>(i)]};
 }
 
+void Scene::set_palette(const std::shared_ptr<const Palette>& of_iteration) {
+  palette = of_iteration;
+  if (without_objects != nullptr) without_objects->set_palette(of_iteration);
+}
+
+std::int16_t Scene::nm_of(std::uint64_t seed, std::uint64_t iteration) const {
+  if (!disperses) return 0;
+  return palette->is_rgb() ? wavelength_of(seed, iteration) : static_cast<std::int16_t>(-palette->nm(0));
+}
+
 }  // namespace dspm

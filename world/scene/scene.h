@@ -147,15 +147,9 @@ class Scene {
     return index < 0 ? nullptr : &interfaces[static_cast<std::size_t>(index)];
   }
   /// Sets the palette; whoever asks for iterations of a spectral render does so before each.
-  void set_palette(const std::shared_ptr<const Palette>& of_iteration) {
-    palette = of_iteration;
-    if (without_objects != nullptr) without_objects->set_palette(of_iteration);
-  }
+  void set_palette(const std::shared_ptr<const Palette>& of_iteration);
   /// Returns the wavelength of all paths of an iteration, as Wavelength::nm says; 0 if no body refracts by it.
-  std::int16_t nm_of(std::uint64_t seed, std::uint64_t iteration) const {
-    if (!disperses) return 0;
-    return palette->is_rgb() ? wavelength_of(seed, iteration) : static_cast<std::int16_t>(-palette->nm(0));
-  }
+  std::int16_t nm_of(std::uint64_t seed, std::uint64_t iteration) const;
   /// Returns the surface where a ray of that direction hit.
   SurfacePoint surface_point(const RayHit& hit, const Vec3& direction) const {
     return shapes[static_cast<std::size_t>(hit.shape)].seen(hit.primitive, hit.uv, direction);

@@ -15,6 +15,7 @@
 #include "dspm/integrators/transport/camera_path.h"
 #include "dspm/integrators/transport/joint_path.h"
 #include "dspm/integrators/transport/light_value.h"
+#include "dspm/integrators/transport/roulette.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {
