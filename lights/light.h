@@ -110,6 +110,11 @@ class Light {
     return spectrum_ == nullptr || palette.is_rgb() ? palette.light(colour)
                                                     : palette.at_its(*spectrum_) * luminance(colour);
   }
+  /// What paths carry of background(), which may be of another colour.
+  Spectrum carried_background(const Ray& ray, const Palette& palette) const {
+    const Rgb seen = background(ray);
+    return spectrum_ != nullptr && seen != escaped(ray) ? palette.light(seen) : carried(seen, palette);
+  }
 
   /// The radiance that leaves the light's own surface at `point` in direction w (area lights).
   virtual Rgb emitted(const SurfacePoint&, const Vec3& /*w*/) const { return {}; }

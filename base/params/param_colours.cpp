@@ -85,19 +85,19 @@ ValueOrTexture<Rgb> ParamReader::take_colour(std::string_view name, const Colour
                                              SpectrumRole role, bool textures, std::string_view sentence) {
   Types types = kColourTypes;
   if (textures) types.push_back(ParamType::texture);
-  if (role == SpectrumRole::illuminant) illuminant_ = nullptr;
   const Param* param = take(name, types, std::move(default_value), {}, sentence);
-  if (!param)
-    return {role == SpectrumRole::illuminant ? to_rec709(fallback.rgb, space(), role) : fallback.rgb,
-            {},
-            where(name),
-            fallback.spectrum};
-  if (param->type != ParamType::texture) {
+  ValueOrTexture<Rgb> taken{fallback.rgb, {}, where(name), fallback.spectrum};
+  if (!param) {
+    if (role == SpectrumRole::illuminant) taken.value = to_rec709(fallback.rgb, space(), role);
+  } else if (param->type == ParamType::texture) {
+    taken.where = param->values_where;
+    if (count_is(*param, 1)) taken.texture = std::get<std::vector<std::string>>(param->values).front();
+  } else {
     const Colour given = colour_of(*param, role).value_or(fallback);
-    return {given.rgb, {}, param->values_where, given.spectrum};
+    taken = {given.rgb, {}, param->values_where, given.spectrum};
   }
-  const std::string texture = count_is(*param, 1) ? std::get<std::vector<std::string>>(param->values).front() : "";
-  return {fallback.rgb, texture, param->values_where, fallback.spectrum};
+  if (role == SpectrumRole::illuminant && !illuminant_) illuminant_ = taken.spectrum;
+  return taken;
 }
 
 std::vector<Rgb> ParamReader::colours(std::string_view name, SpectrumRole role, std::string_view sentence) {
@@ -110,20 +110,15 @@ std::vector<Rgb> ParamReader::colours(std::string_view name, SpectrumRole role, 
 }
 
 std::optional<Colour> ParamReader::colour_of(const Param& param, SpectrumRole role) {
-  const auto of_curve = [&](const SpectralCurve& curve) {
-    Colour colour = Colour::of(curve, role);
-    if (role == SpectrumRole::illuminant) illuminant_ = colour.spectrum;
-    return colour;
-  };
   if (param.type == ParamType::spectrum) {
     const std::optional<SpectralCurve> given = spectrum(param);
-    return given ? std::optional(of_curve(*given)) : std::nullopt;
+    return given ? std::optional(Colour::of(*given, role)) : std::nullopt;
   }
   if (!count_is(param, param.type == ParamType::rgb ? 3 : 1)) return std::nullopt;
   const std::vector<float> v = numbers_of(param);
   std::string wrong;
   if (param.type == ParamType::blackbody) {
-    if (v[0] > 0) return of_curve(blackbody(v[0]));
+    if (v[0] > 0) return Colour::of(blackbody(v[0]), role);
     wrong = "must be a temperature above 0 K";
   } else {
     const Rgb rgb = param.type == ParamType::rgb ? Rgb(v[0], v[1], v[2]) : Rgb(v[0]);

@@ -134,9 +134,8 @@ class ParamReader {
   Colour colour(std::string_view name, Rgb fallback, SpectrumRole role, std::string_view sentence);
   /// Reads a colour like rgb() above, but the default is a named spectrum such as "metal-Cu-eta".
   Rgb rgb(std::string_view name, std::string_view named_fallback, SpectrumRole role, std::string_view sentence);
-  /// Returns the last illuminant that was read, null if it was none or no spectrum: the rgb that rgb() returned is its
-  /// colour.
-  const std::shared_ptr<const SpectrumByNm>& illuminant() const { return illuminant_; }
+  /// Returns the first illuminant that was read, null if it was no spectrum: the rgb that rgb() returned is its colour.
+  std::shared_ptr<const SpectrumByNm> illuminant() const { return illuminant_.value_or(nullptr); }
   /// Reads a colour like rgb() above, and keeps the curve if it is given as a spectrum.
   ColourOrSpectrum colour_or_spectrum(std::string_view name, Rgb fallback, SpectrumRole role,
                                       std::string_view sentence);
@@ -218,7 +217,7 @@ class ParamReader {
   std::filesystem::path main_directory_;
   std::vector<ParamInfo>* described_ = nullptr;
   bool only_checks_ = false;
-  std::shared_ptr<const SpectrumByNm> illuminant_;
+  std::optional<std::shared_ptr<const SpectrumByNm>> illuminant_;
   std::vector<std::string> known_;                            // names that were read
   std::vector<std::string> tolerated_;                        // names that unsupported() has reported
   std::vector<std::pair<std::string, std::string>> aliases_;  // alias, name

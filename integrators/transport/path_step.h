@@ -200,8 +200,8 @@ void for_each_escape(const Scene& scene, FrameSet frames, const Ray& ray, int bo
   for (const int index : scene.infinite_lights) {
     const SceneLight& scene_light = scene.lights[static_cast<std::size_t>(index)];
     scene_light.states.for_each(frames, [&](FrameSet common, const Light& light) {
-      const Spectrum radiance =
-          light.carried(bounces == 0 ? light.background(ray) : light.escaped(ray), *scene.palette);
+      const Spectrum radiance = bounces == 0 ? light.carried_background(ray, *scene.palette)
+                                             : light.carried(light.escaped(ray), *scene.palette);
       if (!is_black(radiance)) fn(common, radiance, scene_light, light);
     });
   }

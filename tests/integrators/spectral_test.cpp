@@ -102,6 +102,19 @@ TEST(Spectral, LampsOfOneLineShowOneColour) {
   }
 }
 
+// The first illuminant of a light is its own; the background that the camera sees is another.
+TEST(Spectral, SkiesShineByTheirSpectra) {
+  const std::string sky = R"(LightSource "infinite" "spectrum L" "stdillum-F11" "rgb background" [.2 .3 .4]
+)";
+  const std::string path = R"("path" "integer maxdepth" 2)";
+  const std::string dyed = "Material \"diffuse\" \"spectrum reflectance\" [530 .1 550 .9 570 .1]\n";
+  const Colour light = Colour::of(*named_spectrum("stdillum-F11"), SpectrumRole::illuminant);
+  const SpectralCurve dye{{530, 550, 570}, {0.1f, 0.9f, 0.1f}};
+  const Rgb expected = seen([&](int nm) { return light.spectrum->at(nm) * dye.at(static_cast<float>(nm)); });
+  expect_near(mean_of(view(kSpectral, path, sky + dyed + kFloor), 512), expected, 0.03f * expected.g);
+  expect_near(mean_of(view(kSpectral, path, sky), 64), {0.2f, 0.3f, 0.4f}, 0.003f);
+}
+
 TEST(Spectral, MetalsMirrorByTheirIndices) {
   const SpectralCurve eta = *named_spectrum("metal-Au-eta"), k = *named_spectrum("metal-Au-k");
   const auto mirrored = [&](int nm) {
