@@ -99,8 +99,8 @@ EmissionLook read_emission_look(ParamReader& reader) {
 }
 
 Absorption::Absorption(ParamReader& reader)
-    : colour_(reader.rgb("attenuationcolor", Rgb(1), SpectrumRole::albedo,
-                         "of white light after attenuationdistance in the body")) {
+    : colour_(reader.colour("attenuationcolor", Rgb(1), SpectrumRole::albedo,
+                            "of white light after attenuationdistance in the body")) {
   const float distance = reader.number("attenuationdistance", 1, "world units", "after which it has attenuationcolor");
   if (distance > 0)
     distance_ = distance;

@@ -97,7 +97,7 @@ class Absorption {
  private:
   Spectrum of(const Spectrum& left) const;
 
-  Rgb colour_{1};
+  Colour colour_{Rgb(1)};
   float distance_ = 1;
   Spectrum in_rgb_;
 };

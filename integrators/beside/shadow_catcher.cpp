@@ -16,18 +16,20 @@
 namespace dspm {
 namespace {
 
-/// Returns what is left of the light E0, by the colour that loses most.
-float share_left(const Rgb& with, const Rgb& without) {
+/// Returns what is left of the light E0, by the colour that loses most. Of spectral light, colours that are hardly there may be
+/// negative: they are at least `least` of the brightest one, or do not count.
+float share_left(const Rgb& with, const Rgb& without, float least) {
   float share = 1;
+  const float floor = least * max_component(without);
   for (const auto& [e, e0] : {std::pair(with.r, without.r), {with.g, without.g}, {with.b, without.b}})
-    if (e0 > 0) share = std::min(share, e / e0);
+    if (e0 > floor) share = std::min(share, e / e0);
   return std::max(share, 0.f);
 }
 
 class ShadowCatcher final : public WrappingIntegrator {
  public:
-  ShadowCatcher(std::unique_ptr<Integrator> with, std::unique_ptr<Integrator> without)
-      : WrappingIntegrator(std::move(with)), without_(std::move(without)) {}
+  ShadowCatcher(std::unique_ptr<Integrator> with, std::unique_ptr<Integrator> without, bool spectral)
+      : WrappingIntegrator(std::move(with)), without_(std::move(without)), least_(spectral ? 0.02f : 0) {}
 
   void iterate(const Iteration& iteration) override {
     inner_->iterate(iteration);
@@ -53,7 +55,7 @@ class ShadowCatcher final : public WrappingIntegrator {
       const float c = share.pixels[i].r, c0 = share_without.pixels[i].r;
       if (!(c > 0)) continue;
       const Rgb e0 = c0 > 0 ? caught_without.pixels[i] * (c / c0) : Rgb();  // as many paths as have found `caught`
-      const float left = share_left(caught.pixels[i], e0);
+      const float left = share_left(caught.pixels[i], e0, least_);
       image.pixels[i] += output == kRadiance ? caught.pixels[i] - e0 * left : Rgb(-c * left);
       // Of the colour that loses most, rounding may leave less than nothing.
       for (int channel = 0; channel < 3; ++channel) image.pixels[i][channel] = std::max(image.pixels[i][channel], 0.f);
@@ -76,6 +78,7 @@ class ShadowCatcher final : public WrappingIntegrator {
 
  private:
   std::unique_ptr<Integrator> without_;
+  float least_;  // see share_left()
   StepTime step_{"without objects"};
 };
 
@@ -111,7 +114,7 @@ std::unique_ptr<Integrator> with_shadow_catchers(const MakeForScene& make, const
     auto without =
         make_with_outputs(make, *scene.without_objects, with_outputs(bare, {kCatcherOutput, kCaughtLight}), memory / 2);
     if (without == nullptr) return nullptr;
-    return std::make_unique<ShadowCatcher>(std::move(with), std::move(without));
+    return std::make_unique<ShadowCatcher>(std::move(with), std::move(without), render.spectral);
   } catch (NotEnoughMemory& error) {
     for (std::size_t* need :
          {&error.least.pixels, &error.least.hit_points, &error.least.photons, &error.least.learning})

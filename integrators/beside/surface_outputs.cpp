@@ -175,6 +175,8 @@ class SurfaceOutputs final : public WrappingIntegrator {
     start_camera_paths(scene, render_, x, y, iteration, meet, [](const CameraPath&) {});
   }
 
+  /// A share of light: its three components count alike, whatever colours they are.
+  static Rgb taken(const Spectrum& share) { return {share[0], share[1], share[2]}; }
   /// Adds the share of the light from beyond that media take.
   void add_veil(const Scene& scene, const CameraPath& path, FrameSet frames) {
     for (Layer& layer : layers_) {
@@ -182,7 +184,7 @@ class SurfaceOutputs final : public WrappingIntegrator {
       frames.for_each([&](Frame f) { layer.sums.at(path.pixel, f) += Rgb(1); });
       for (const FrameFactor& left :
            left_in_media(scene, path.ray, path.inside.medium, frames, {path.random, path.bounces}))
-        left.frames.for_each([&](Frame f) { layer.sums.at(path.pixel, f) += scene.palette->seen(left.factor) * -1.f; });
+        left.frames.for_each([&](Frame f) { layer.sums.at(path.pixel, f) += taken(left.factor) * -1.f; });
     }
   }
 

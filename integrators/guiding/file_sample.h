@@ -38,10 +38,12 @@ class FileSample {
   /// Learns nothing: `known` comes from an earlier state of the file.
   explicit FileSample(Learned known) : known_(std::move(known)) {}
 
-  /// Returns the scene of these frames, whole: `given`, if it is that. All who hold it at the same time share one.
+  /// Returns the scene of these frames, whole: `given`, if it is that. All who hold it at the same time share one. It is one
+  /// in RGB: what is learned may not depend on the iteration in which it is.
   std::shared_ptr<const Scene> scene(const Scene& given) const {
     if (!learns()) return {std::shared_ptr<const Scene>(), &given};
-    if (given.file_frames == frames_ && !given.is_without_objects) return {std::shared_ptr<const Scene>(), &given};
+    if (given.file_frames == frames_ && !given.is_without_objects && given.palette->is_rgb())
+      return {std::shared_ptr<const Scene>(), &given};
     std::shared_ptr<const Scene> scene = made_.lock();
     if (scene == nullptr) made_ = scene = make_();
     return scene;

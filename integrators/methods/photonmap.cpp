@@ -163,7 +163,7 @@ class PhotonMapper final : public SummingIntegrator {
     done_.advance([&](SeenLightSums& sums, Statistics& statistics) {
       // Maps show one time of the shutter, and light of some wavelengths: iterations that have their own have own maps.
       const bool has_own = iteration.delay || !iteration.scene.palette->is_rgb();
-      if (!has_maps_ || has_own) make_maps(iteration.scene, has_own ? number : 0, statistics);
+      if (!has_maps_ || has_own) make_maps(iteration.scene, has_own ? number : 0, has_own, statistics);
       trace_camera_paths(iteration.scene, number, statistics);
       gather_tiles(iteration.scene, number, sums, statistics);
     });
@@ -186,11 +186,11 @@ class PhotonMapper final : public SummingIntegrator {
     PathCounts paths;
   };
 
-  void make_maps(const Scene& scene, std::uint64_t iteration, Statistics& statistics) {
+  void make_maps(const Scene& scene, std::uint64_t iteration, bool are_own, Statistics& statistics) {
     const StepTimer timer(statistics.steps[kPhotonMaps]);
     const auto trace = [&](const GuidedPhotons& how, int photons) {
       auto traces = trace_photons(scene, how.settings, iteration, 0, photons, {});
-      if (statistics.iterations == 0) account(traces, statistics);  // else the same maps are only rebuilt
+      if (are_own || statistics.iterations == 0) account(traces, statistics);  // else they are only rebuilt
       return traces;
     };
     const auto build = [&](auto& map, const std::vector<PhotonTrace>& traces, const RadianceEstimate& how) {

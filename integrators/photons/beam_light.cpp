@@ -66,7 +66,8 @@ class Segment {
   }
   /// Returns a point that was drawn with that density.
   DrawnPoint at(float t, float density) const {
-    const CarriedMedium here = everywhere_ ? *everywhere_ : section_.medium->carried(section_.medium->at(ray_.at(t)), palette_);
+    const CarriedMedium here =
+        everywhere_ ? *everywhere_ : section_.medium->carried(section_.medium->at(ray_.at(t)), palette_);
     return {t, here.sigma_s * section_.left_at(t) / density, here.g};
   }
 

@@ -29,8 +29,14 @@ std::vector<PhotonStart> by_bodies(const Scene& scene, const std::vector<PhotonS
 /// Returns whether the states' light differs in more than its strength. What paths carry of two colours of a spectral
 /// render then has a ratio that depends on the colours.
 bool differ_in_colour(const SceneLight::Alike& alike) {
-  const auto is_grey = [](const FrameFactor& f) { return f.factor == Spectrum(f.factor[0]); };
-  const auto has_same = [&](const auto& state) { return state.object->spectrum() == alike.first->spectrum(); };
+  const auto is_grey = [](const FrameFactor& f) {
+    const auto [least, most] = std::minmax({f.factor[0], f.factor[1], f.factor[2]});
+    return most - least <= 1e-6f * most;
+  };
+  const auto has_same = [&](const auto& state) {
+    const auto &a = state.object->spectrum(), &b = alike.first->spectrum();
+    return a == b || (a != nullptr && b != nullptr && *a == *b);
+  };
   return !std::all_of(alike.factors.begin(), alike.factors.end(), is_grey) ||
          !std::all_of(alike.states.begin(), alike.states.end(), has_same);
 }

@@ -18,7 +18,7 @@ struct PhotonStart {
   FrameSet frames;
   Spectrum factor;  // of the light's flux
   StrandList strands;
-  const SceneLight::Alike* varied = nullptr;  // set if its weights depend on the photon's direction
+  const SceneLight::Alike* varied = nullptr;  // set if each photon weighs its states anew
   Inside inside = {};                         // the bodies in which the light lies, all of it
 };
 

@@ -13,6 +13,11 @@
 
 namespace dspm {
 
+Spectrum carried_at_start(const PhotonStart& start, const Rgb& flux, const Palette& palette) {
+  if (start.varied == nullptr || palette.is_rgb()) return start.light->carried(flux, palette);
+  return Spectrum(max_component(flux));
+}
+
 void start_photons(const Scene& scene, const PhotonSettings& settings, const PhotonStarts& starts,
                    const PathRandom& random, const Wavelength& wavelength, std::vector<StartedPhoton>& started) {
   started.clear();
@@ -30,8 +35,9 @@ void start_photons(const Scene& scene, const PhotonSettings& settings, const Pho
       if (!emission || is_black(emission->flux)) continue;
       if (light.glow.medium != kNoMedium && (frames = frames_in(light.glow, scene, emission->ray, frames)).empty())
         continue;
-      const Spectrum flux =
-          start.light->carried(emission->flux, *scene.palette) * start.factor / chosen.density * settings.flux;
+      const Spectrum carried = carried_at_start(start, emission->flux, *scene.palette);
+      if (is_black(carried)) continue;
+      const Spectrum flux = carried * start.factor / chosen.density * settings.flux;
       PhotonPath path{{emission->ray, flux, frames}};
       path.start = static_cast<int>(started.size());
       path.random = random, path.strands = start.strands, path.inside = start.inside, path.wavelength = wavelength;
@@ -42,7 +48,7 @@ void start_photons(const Scene& scene, const PhotonSettings& settings, const Pho
           {path,
            {light, *start.light, place, emission->must_reach, chosen.light, light_seen(*emission), emission->flux},
            start.varied,
-           is_light(flux) && is_finite(emission->ray)});
+           is_light(emission->flux) && is_light(flux) && is_finite(emission->ray)});
     }
   }
 }
@@ -53,11 +59,10 @@ FrameArray<FrameFactor> weights_of_states(const Palette& palette, const SceneLig
   FrameArray<FrameFactor> weights;
   for (const auto& [frames, light] : alike.states) {
     const Rgb in_rgb = light->ratio_along(first, start);
-    const std::optional<Spectrum> weight =
-        palette.is_rgb() ? palette.carried(in_rgb)
-                         : ratio(light->carried(flux * in_rgb, palette), first.carried(flux, palette));
-    if (weight && is_light(*weight))
-      weights.add({frames, *weight});
+    const Spectrum weight =
+        palette.is_rgb() ? palette.carried(in_rgb) : light->carried(flux * in_rgb, palette) / max_component(flux);
+    if (is_light(weight))
+      weights.add({frames, weight});
     else
       invalid |= frames;
   }

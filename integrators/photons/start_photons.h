@@ -23,8 +23,11 @@ struct StartedPhoton {
 void start_photons(const Scene& scene, const PhotonSettings& settings, const PhotonStarts& starts,
                    const PathRandom& random, const Wavelength& wavelength, std::vector<StartedPhoton>& started);
 
-/// Returns what the photon carries in each state of the light, over what it does in the first, whose photon of that flux it
-/// is. Adds frames whose state gives no such light to `invalid`.
+/// Returns what a photon of that flux carries when it starts: if its light differs from state to state, in a spectral render a
+/// grey that is never 0, as one state may have nothing at a wavelength that another has.
+Spectrum carried_at_start(const PhotonStart& start, const Rgb& flux, const Palette& palette);
+/// Returns what the photon carries in each state of the light, over what it does at its start. `flux` is what the first state
+/// has emitted. Adds frames whose state gives no such light to `invalid`.
 FrameArray<FrameFactor> weights_of_states(const Palette& palette, const SceneLight::Alike& alike, const Ray& start,
                                           const Rgb& flux, FrameSet& invalid);
 

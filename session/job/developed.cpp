@@ -14,14 +14,16 @@ Image exposed(Image image, const Job& job) {
   for (Rgb& pixel : image.pixels) {
     pixel *= job.exposure;
     if (balance) pixel = *balance * pixel;
-    if (job.settings.spectral) pixel = map(pixel, [](float c) { return std::max(c, 0.f); });
   }
   return image;
 }
 
 Image developed(Image image, const Job& job) {
   image = exposed(std::move(image), job);
-  for (Rgb& pixel : image.pixels) pixel = limited(pixel, job.film.max_component);
+  for (Rgb& pixel : image.pixels) {
+    if (job.settings.spectral) pixel = map(pixel, [](float c) { return std::max(c, 0.f); });
+    pixel = limited(pixel, job.film.max_component);
+  }
   return image;
 }
 

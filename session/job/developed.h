@@ -8,9 +8,9 @@
 
 namespace dspm {
 
-/// Exposes and balances the image as the film says, but without its limit. Colours outside Rec. 709 are clamped to it.
+/// Exposes and balances the image as the film says, but without its limits.
 Image exposed(Image image, const Job& job);
-/// Exposes and balances the image, with the film's limit.
+/// Exposes and balances the image, with the film's limit. Colours outside Rec. 709 are clamped to it.
 Image developed(Image image, const Job& job);
 
 /// What views show: `radiance` developed, with this alpha, an output of the integrator.

@@ -94,12 +94,14 @@ TEST(Film, Cie1931StandsInForRealSensors) {
   EXPECT_EQ(read({text("sensor", "cie1931")}).film.white_kelvin, 0);
 }
 
-TEST(Film, ASpectralFilmIsAnRgbFilmOfItsSizeAndName) {
+TEST(Film, ASpectralFilmIsRenderedByWavelength) {
   const Reading r = read({integers("xresolution", {64}), text("filename", "a.exr"), integers("nbuckets", {8}),
                           numbers("lambdamin", {400}), numbers("cropwindow", {0, 0.5f, 0, 1})},
                          "spectral");
   ASSERT_EQ(r.diagnostics.all().size(), 1u);
   EXPECT_EQ(r.diagnostics.all()[0].severity, Severity::note);
+  EXPECT_TRUE(r.film.spectral);
+  EXPECT_FALSE(read({}).film.spectral);
   EXPECT_EQ(r.film.filename, "a.exr");
   EXPECT_EQ(crop_of(r.film).x1, 32);
   EXPECT_EQ(read({numbers("lambdamin", {900})}, "spectral").diagnostics.error_count(), 1);

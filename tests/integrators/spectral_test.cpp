@@ -115,6 +115,29 @@ TEST(Spectral, SkiesShineByTheirSpectra) {
   expect_near(mean_of(view(kSpectral, path, sky), 64), {0.2f, 0.3f, 0.4f}, 0.003f);
 }
 
+// The first lamp has nothing where the second one does, and their photons start together.
+TEST(Spectral, LampsOfOtherRangesSharePhotons) {
+  const std::string lamps = R"(LightSource "point" "point3 from" [0 0 1] "spectrum I@1" [450 0 460 1 600 1 610 0]
+  "spectrum I@2" "stdillum-D65" "spectrum I@3" [480 1 700 1]
+Material "diffuse" "rgb reflectance" [.6 .6 .6]
+)" + kFloor;
+  const auto all = [&](const std::string& integrator) {
+    return TestScene("Frames 3\n" + view(kSpectral, integrator, lamps)).render_all(128);
+  };
+  const std::vector<Image> expected = all(R"("path" "integer maxdepth" 2)");
+  for (const char* integrator :
+       {R"("dsppm" "integer photons" 20000 "string direct" "photons" "float radius" .1)",
+        R"("dsppm" "integer photons" 20000 "string direct" "photons" "float radius" .1 "string estimator" "hj09")",
+        R"("vcm" "integer photons" 5000 "float radius" .1)"}) {
+    SCOPED_TRACE(integrator);
+    const std::vector<Image> found = all(integrator);
+    for (std::size_t frame = 0; frame < 3; ++frame) {
+      const Rgb right = mean(expected[frame]);
+      expect_near(mean(found[frame]), right, 0.03f * max_component(right));
+    }
+  }
+}
+
 TEST(Spectral, MetalsMirrorByTheirIndices) {
   const SpectralCurve eta = *named_spectrum("metal-Au-eta"), k = *named_spectrum("metal-Au-k");
   const auto mirrored = [&](int nm) {
@@ -139,12 +162,12 @@ Shape "trianglemesh" "point3 P" [-3 -3 -3 3 -3 -3 3 3 -3 -3 3 -3  -3 -3 0 3 -3 0
 // grid, whose bounds must be those of the band.
 TEST(Spectral, MediaAbsorbByTheirSpectra) {
   const SpectralCurve band{{480, 520, 560}, {0.05f, 2, 0.05f}};
-  const Rgb expected = seen([&](int nm) {
-    return std::exp(-2.f * band.at(std::clamp(static_cast<float>(nm), 480.f, 560.f)));
-  });
-  for (const char* medium :
-       {R"("string type" "homogeneous")",
-        R"("string type" "uniformgrid" "integer nx" 3 "integer ny" 3 "integer nz" 3 "point3 p0" [-9 -9 -9] "point3 p1" [9 9 9]
+  const Rgb expected =
+      seen([&](int nm) { return std::exp(-2.f * band.at(std::clamp(static_cast<float>(nm), 480.f, 560.f))); });
+  for (
+      const char* medium :
+      {R"("string type" "homogeneous")",
+       R"("string type" "uniformgrid" "integer nx" 3 "integer ny" 3 "integer nz" 3 "point3 p0" [-9 -9 -9] "point3 p1" [9 9 9]
            "float density" [1 1 1 1 1 1 1 1 1  1 1 1 1 1 1 1 1 1  1 1 1 1 1 1 1 1 1])"}) {
     const std::string contents = kWhiteSky + "MakeNamedMedium \"dye\" " + medium +
                                  R"( "spectrum sigma_a" [480 .05 520 2 560 .05] "rgb sigma_s" [0 0 0]

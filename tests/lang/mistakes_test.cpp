@@ -290,6 +290,10 @@ const Mistake kNames[] = {
      "    1 | Option \"sede\" 1\n"
      "      |        ^~~~~~\n"
      "  did you mean \"seed\"?\n"},
+    {"Option \"colour\" \"red\"\nWorldBegin",
+     "scene.dsc:1:17: error: expected \"rgb\" or \"spectral\"\n"
+     "    1 | Option \"colour\" \"red\"\n"
+     "      |                 ^~~~~\n"},
     {"Option \"seed\" 1.5\nWorldBegin",
      "scene.dsc:1:15: error: expected an integer\n"
      "    1 | Option \"seed\" 1.5\n"

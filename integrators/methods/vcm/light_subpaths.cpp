@@ -8,6 +8,7 @@
 #include "dspm/integrators/methods/vcm/subpath_place.h"
 #include "dspm/integrators/photons/photon_numbers.h"
 #include "dspm/integrators/photons/photon_starts.h"
+#include "dspm/integrators/photons/start_photons.h"
 #include "dspm/integrators/photons/trace_photons.h"
 #include "dspm/integrators/transport/branching_path.h"
 #include "dspm/integrators/transport/joint_path.h"
@@ -51,7 +52,7 @@ class LightPathTracer {
     if (of.is_drowned || of.glow.medium != kNoMedium) return;  // camera paths see what glows
     for (const PhotonStart& start : starts_.of(choice, chosen.light)) {
       // States that would start alike with other densities than their own part.
-      if (start.varied == nullptr)
+      if (start.varied == nullptr || !start.varied->factors.empty())
         follow(chosen, start, random);
       else
         for (const auto& [frames, light] : start.varied->states)
@@ -65,15 +66,26 @@ class LightPathTracer {
     const EmissionNumbers& u = chosen.numbers;
     const auto emission = start.light->emit({u[0], u[1]}, {u[2], u[3]});
     if (!emission || is_black(emission->flux) || !(emission->pdf.position * emission->pdf.direction > 0)) return;
-    const Spectrum flux = start.light->carried(emission->flux, *scene_.palette) * start.factor / chosen.density;
-    if (!is_light(flux) || !is_finite(emission->ray))
+    const Spectrum carried = carried_at_start(start, emission->flux, *scene_.palette);
+    if (is_black(carried)) return;
+    const Spectrum flux = carried * start.factor / chosen.density;
+    if (!is_light(emission->flux) || !is_light(flux) || !is_finite(emission->ray))
       return out_.rejections.add({SceneElement::Kind::light, chosen.light}, start.frames);
     light_ = start.light, scene_light_ = &scene_light, light_index_ = chosen.light, emission_ = *emission;
     LightPath& path = branches_.push({{emission->ray, flux, start.frames}, {}});
     path.random = random, path.strands = start.strands, path.inside = start.inside, path.wavelength.nm = pass_.nm;
     path.inside.medium = scene_light.media.medium_towards(!(dot(emission->normal, emission->ray.direction) < 0));
     path.merging = merging_after(pass_.ways, 0), path.hidden = scene_light.is_delta;
+    if (start.varied != nullptr && !weigh(path, *start.varied, chosen.light)) return branches_.drop();
     branches_.follow(*this);
+  }
+
+  /// Weights a path for each state of a light; returns whether any weight remains.
+  bool weigh(LightPath& path, const SceneLight::Alike& alike, int index) {
+    FrameSet invalid;
+    const auto weights = weights_of_states(*scene_.palette, alike, path.ray, emission_.flux, invalid);
+    if (!invalid.empty()) out_.rejections.add({SceneElement::Kind::light, index}, invalid);
+    return !weights.empty() && multiply(path, weights, out_.strands, ByRatio::yes, keep_all);
   }
 
   bool postpones(const LightPath&, const HitPartition&) { return false; }

@@ -34,7 +34,7 @@ inline VcmWays ways_at(const VcmWays& ways, const Vertex& vertex) {
   return vertex.point.turns ? ways.with_merging(0) : ways;
 }
 inline VcmWays ways_at(const VcmWays& ways, const MediumVertex& vertex) {
-  return ways.with_merging(ways.merging_in_media * mean(vertex.majorant));
+  return ways.with_merging(ways.merging_in_media * (vertex.majorant[0] + vertex.majorant[1] + vertex.majorant[2]) / 3);
 }
 
 }  // namespace dspm
