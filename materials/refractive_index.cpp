@@ -70,7 +70,11 @@ RefractiveIndex read_refractive_index(ParamReader& reader) {
       reader.text("glass", "", "instead of eta: BK7, SF11, F2, silica, water, diamond, sapphire, ...");
   const float abbe =
       reader.number("abbe", 0, "", "Abbe number, with eta at 587.6 nm; 0: no dispersion, unless eta is a spectrum");
-  if (abbe != 0 && !(abbe >= kLeastAbbe)) return error("abbe", "must be at least 1, or 0 for no dispersion");
+  if (!(abbe >= 0)) return error("abbe", "must be at least 1, or 0 for no dispersion");
+  // A keyed number that starts at 0 passes values that no glass has.
+  if (abbe > 0 && abbe < kLeastAbbe)
+    reader.diagnostics().note(reader.where("abbe"), fmt::format("the Abbe number {:.3g} is rendered as 1", abbe),
+                              "real glasses have 20 to 90; 0 is no dispersion");
   if (!glass.empty() && (reader.has("eta") || reader.has("abbe")))
     return error("glass", "already determines the index: leave out \"eta\" and \"abbe\"");
   if (spectrum && abbe != 0) return error("abbe", "needs \"eta\" as a number: the spectrum has dispersion of its own");
@@ -85,7 +89,7 @@ RefractiveIndex read_refractive_index(ParamReader& reader) {
   }
   const float eta = mean(colour);
   if (!(eta > 0)) return error("eta", "must be above 0");
-  if (abbe != 0) return RefractiveIndex::of_abbe(eta, abbe);
+  if (abbe != 0) return RefractiveIndex::of_abbe(eta, std::max(abbe, kLeastAbbe));
   if (!spectrum && (colour.r != colour.g || colour.g != colour.b))
     reader.diagnostics().note(reader.where("eta"), fmt::format("eta is {:.4g}, the mean of its colours", eta),
                               "a spectrum, \"abbe\" or \"glass\" makes dispersion");

@@ -92,6 +92,16 @@ TEST(RefractiveIndex, RefusesWhatContradictsItself) {
   expect({number("eta", 0)}, "must be above 0");
 }
 
+// A number that is keyed from 0 to 20 passes them between its keys, in renders with a shutter only.
+TEST(RefractiveIndex, OfAnAbbeNumberBelow1IsThatOf1) {
+  Diagnostics notes;
+  const auto low = make("dielectric", {number("abbe", 0.2f)}, notes), one = make("dielectric", {number("abbe", 1)});
+  EXPECT_EQ(notes.error_count(), 0);
+  EXPECT_EQ(notes.all().size(), 1u);
+  EXPECT_EQ(index(*low, 450), index(*one, 450));
+  EXPECT_TRUE(low->disperses());
+}
+
 /// What the glass refracts (or mirrors) of light of that wavelength that arrives from wo at a surface with normal z.
 Vec3 leaves(const Material& glass, const Vec3& wo, std::int16_t nm, bool mirrored = false) {
   SurfacePoint point = surface();
