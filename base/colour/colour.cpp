@@ -1,9 +1,11 @@
 #include "dspm/base/colour/colour.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "dspm/base/colour/observer.h"
+#include "dspm/base/colour/smooth_spectra.h"
 
 namespace dspm {
 
@@ -42,6 +44,24 @@ SpectrumByNm::SpectrumByNm(const SpectralCurve& curve, SpectrumRole role) {
                              : static_cast<float>(double{value} / luminance * daylight_luminance /
                                                   double{daylight.at(static_cast<float>(nm))});
   }
+}
+
+SpectrumByNm::SpectrumByNm(const SmoothSpectrum& spectrum, float scale) {
+  for (int nm = kFirstNm; nm <= kLastNm; ++nm)
+    values_[static_cast<std::size_t>(nm - kFirstNm)] = scale * spectrum.at(nm);
+}
+
+Colour Colour::of(const Rgb& c, ColourSpace space, SpectrumRole role) {
+  const Rgb beyond = beyond_rec709(c, space, role), clamped = to_rec709(c, space, role);
+  constexpr float kOutside = -1e-4f, kDark = 0.25f;  // of a light's colour: dark spectra reach further
+  const float largest = max_component(clamped), least = std::min({beyond.r, beyond.g, beyond.b});
+  if (!(least < kOutside * largest) || !std::isfinite(largest) || role == SpectrumRole::unbounded) return {clamped};
+  if (role == SpectrumRole::albedo)
+    return {clamped, std::make_shared<const SpectrumByNm>(SmoothSpectrum(beyond, {}), 1.f)};
+  // Whoever carries light multiplies by the luminance of its colour, which clamping has raised.
+  const float strength = largest / kDark;
+  return {clamped,
+          std::make_shared<const SpectrumByNm>(SmoothSpectrum(beyond / strength, {}), strength / luminance(clamped))};
 }
 
 }  // namespace dspm

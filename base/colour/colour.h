@@ -4,16 +4,20 @@
 #include <array>
 #include <memory>
 
+#include "dspm/base/colour/colour_space.h"
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/colour/spectral_curve.h"
 
 namespace dspm {
+
+class SmoothSpectrum;
 
 /// Values at each nm from 360 to 830 as paths carry them: of light, over those of daylight of the same luminance.
 class SpectrumByNm {
  public:
   /// Reflectances are clamped to 0..1. Light has a luminance of 1.
   SpectrumByNm(const SpectralCurve& curve, SpectrumRole role);
+  SpectrumByNm(const SmoothSpectrum& spectrum, float scale);
   float at(int nm) const { return values_[static_cast<std::size_t>(nm - kFirstNm)]; }
   friend bool operator==(const SpectrumByNm&, const SpectrumByNm&) = default;
 
@@ -28,6 +32,8 @@ struct Colour {
   static Colour of(const SpectralCurve& curve, SpectrumRole role) {
     return {to_rgb(curve, role), std::make_shared<const SpectrumByNm>(curve, role)};
   }
+  /// Outside of Rec. 709, the colour has the smooth spectrum that comes closest to it.
+  static Colour of(const Rgb& c, ColourSpace space, SpectrumRole role);
 };
 
 }  // namespace dspm

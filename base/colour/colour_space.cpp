@@ -117,13 +117,18 @@ Chromaticity white_of(double kelvin) {
   return {x, -3 * x * x + 2.87 * x - 0.275};
 }
 
-Rgb to_rec709(const Rgb& c, ColourSpace space, SpectrumRole role) {
+Rgb beyond_rec709(const Rgb& c, ColourSpace space, SpectrumRole role) {
   static const std::array<ToRec709, 4> kMatrices{to_rec709_of(ColourSpace::srgb), to_rec709_of(ColourSpace::rec2020),
                                                  to_rec709_of(ColourSpace::aces2065_1),
                                                  to_rec709_of(ColourSpace::dci_p3)};
   if (space == ColourSpace::srgb) return c;
   const ToRec709& matrices = kMatrices[static_cast<std::size_t>(space)];
-  const Rgb converted = (role == SpectrumRole::illuminant ? matrices.light : matrices.albedo) * c;
+  return (role == SpectrumRole::illuminant ? matrices.light : matrices.albedo) * c;
+}
+
+Rgb to_rec709(const Rgb& c, ColourSpace space, SpectrumRole role) {
+  if (space == ColourSpace::srgb) return c;
+  const Rgb converted = beyond_rec709(c, space, role);
   const float high = role == SpectrumRole::albedo ? 1 : std::numeric_limits<float>::max();
   return {std::clamp(converted.r, 0.f, high), std::clamp(converted.g, 0.f, high), std::clamp(converted.b, 0.f, high)};
 }

@@ -44,6 +44,8 @@ ColourMatrix adaptation(const Chromaticity& from, const Chromaticity& to);
 /// pbrt, the names of daylights are of 1931, when the second radiation constant was 1.438.
 Chromaticity white_of(double kelvin);
 
+/// Converts a colour of `space` to Rec. 709. Components are negative if it lies outside, see to_rec709().
+Rgb beyond_rec709(const Rgb& c, ColourSpace space, SpectrumRole role);
 /// Converts a colour of `space` to Rec. 709 and clamps it to what is never negative. An albedo of 1 stays 1, as white
 /// as the light; light keeps its chromaticity and luminance, so the white of aces2065-1 is a little yellow.
 Rgb to_rec709(const Rgb& c, ColourSpace space, SpectrumRole role);

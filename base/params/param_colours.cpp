@@ -7,7 +7,7 @@
 #include "dspm/base/colour/colour_space.h"
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/params/params.h"
-#include "dspm/base/system/plain_text.h"
+#include "dspm/base/system/number_file.h"
 
 namespace dspm {
 namespace {
@@ -26,21 +26,6 @@ std::string fault(const std::vector<float>& pairs) {
     if (!(pairs[i] > pairs[i - 2]))
       return fmt::format("needs ascending wavelengths, got {} after {}", pairs[i], pairs[i - 2]);
   return {};
-}
-
-/// Reads the numbers of a text file with # comments. Throws std::runtime_error if it holds anything else.
-std::vector<float> read_numbers(const std::filesystem::path& path) {
-  std::istringstream file(read_text(path));
-  std::vector<float> numbers;
-  for (std::string line; std::getline(file, line);) {
-    std::istringstream words(line.substr(0, line.find('#')));
-    while (!(words >> std::ws).eof()) {
-      float number = 0;
-      if (!(words >> number)) throw std::runtime_error("it is not a list of numbers");
-      numbers.push_back(number);
-    }
-  }
-  return numbers;
 }
 
 }  // namespace
@@ -127,8 +112,8 @@ std::optional<Colour> ParamReader::colour_of(const Param& param, SpectrumRole ro
     else if (role == SpectrumRole::albedo && max_component(rgb) > 1)
       wrong = "must lie in 0..1";
     else
-      return Colour{
-          role == SpectrumRole::unbounded && param.type == ParamType::number ? rgb : to_rec709(rgb, param.space, role)};
+      return role == SpectrumRole::unbounded && param.type == ParamType::number ? Colour{rgb}
+                                                                                : Colour::of(rgb, param.space, role);
   }
   diagnostics_.error(param.values_where, fmt::format("{} {}", quoted(param.name), wrong));
   return std::nullopt;

@@ -4,10 +4,20 @@
 #include <optional>
 #include <utility>
 
+#include "dspm/base/colour/colour_space.h"
 #include "dspm/base/colour/rgb.h"
 #include "dspm/integrators/beside/surface_output_list.h"
 
 namespace dspm {
+namespace {
+
+/// Returns the colour of a spectral render as its file can hold it: where the film's colour space ends, it is clamped.
+Rgb clamped_to_film(const Rgb& c, const FilmSettings& film, const std::optional<ColourMatrix>& to_film) {
+  const Rgb held = map(to_film ? *to_film * c : c, [](float v) { return std::max(v, 0.f); });
+  return to_film ? beyond_rec709(held, film.space, SpectrumRole::illuminant) : held;
+}
+
+}  // namespace
 
 Image exposed(Image image, const Job& job) {
   const std::optional<ColourMatrix> balance = white_balance(job.film);
@@ -20,8 +30,9 @@ Image exposed(Image image, const Job& job) {
 
 Image developed(Image image, const Job& job) {
   image = exposed(std::move(image), job);
+  const std::optional<ColourMatrix> to_film = to_film_space(job.film);
   for (Rgb& pixel : image.pixels) {
-    if (job.settings.spectral) pixel = map(pixel, [](float c) { return std::max(c, 0.f); });
+    if (job.settings.spectral) pixel = clamped_to_film(pixel, job.film, to_film);
     pixel = limited(pixel, job.film.max_component);
   }
   return image;
