@@ -28,10 +28,12 @@ struct LightState {
   int shape = -1;       // of an emitter, into Geometry::shapes
   bool hidden = false;  // see Emitter; the same in all frames
   std::shared_ptr<const EmissionPattern> pattern = nullptr;
-  const PluginUse* use = nullptr;  // null: the light's own
+  std::shared_ptr<const SpectrumByNm> spectrum = nullptr;  // of what a material emits; else the parameters say it
+  const PluginUse* use = nullptr;                          // null: the light's own
 
   friend bool operator==(const LightState& a, const LightState& b) {
-    return a.shape == b.shape && a.placement == b.placement && a.pattern == b.pattern && a.params.same_values(b.params);
+    return a.shape == b.shape && a.placement == b.placement && a.pattern == b.pattern && a.spectrum == b.spectrum &&
+           a.params.same_values(b.params);
   }
 };
 
@@ -71,6 +73,7 @@ class LightMaker {
                         places.states[static_cast<std::size_t>(places.at(f))],
                         -1,
                         false,
+                        nullptr,
                         nullptr,
                         &use};
     });
@@ -156,14 +159,14 @@ class LightMaker {
       diagnostics_.error(use.type_where,
                          fmt::format("area light \"{}\" of type \"{}\" cannot be replaced by one of type \"{}\"",
                                      use.name, emitter.use->type, use.type));
-    return {light_params(description_, use, use.name, f), {}, shape, emitter.is_hidden, nullptr, &use};
+    return {light_params(description_, use, use.name, f), {}, shape, emitter.is_hidden, nullptr, nullptr, &use};
   }
   /// Emits only where the surface has no holes: a hole has no material.
   std::optional<LightState> of_material(const Emitter& emitter, int shape, FileFrame f) const {
     const MaterialLight& light = looks_.light(emitter.of_material, f);
     if (light.is_dark() || emitter.is_hidden) return std::nullopt;
     const AreaLightUse& use = *emitter.use;
-    LightState state{light_params(description_, use, use.name, f), {}, shape, false, light.pattern};
+    LightState state{light_params(description_, use, use.name, f), {}, shape, false, light.pattern, light.spectrum};
     const Rgb& L = light.radiance;
     state.params.params.push_back(param_of(ParamType::rgb, "L", std::vector{L.r, L.g, L.b}, use.where));
     return state;
@@ -221,19 +224,18 @@ class LightMaker {
                            "\"photons\", \"caustics\" and \"group\" must be those of the light that it replaces");
       light.keys.push_back(key_of(plugin, state));
       const auto known = state.shape < 0 ? known_.find(light.keys.back()) : known_.end();
-      light.states.states.push_back(known != known_.end() ? known->second
-                                                          : made(reader, context, plugin, state.pattern));
+      light.states.states.push_back(known != known_.end() ? known->second : made(reader, context, plugin, state));
       if (diagnostics_.error_count() > errors) return std::nullopt;
       light.powers.push_back(luminance(light.states.states.back()->power()));
     }
     return light;
   }
 
-  template <class Pattern>
   static std::shared_ptr<const Light> made(ParamReader& reader, const LightContext& context,
-                                           const Plugin<MakeLight>& plugin, const Pattern& pattern) {
-    std::unique_ptr<Light> light = pattern ? make_diffuse_area(reader, context, pattern) : plugin.make(reader, context);
-    if (light != nullptr) light->set_spectrum(reader.illuminant());
+                                           const Plugin<MakeLight>& plugin, const LightState& state) {
+    std::unique_ptr<Light> light =
+        state.pattern ? make_diffuse_area(reader, context, state.pattern) : plugin.make(reader, context);
+    if (light != nullptr) light->set_spectrum(state.spectrum ? state.spectrum : reader.illuminant());
     return light;
   }
 

@@ -28,7 +28,9 @@ namespace dspm {
 /// The light that a material emits in one of its states, from both sides of its shapes.
 struct MaterialLight {
   Rgb radiance;
-  std::shared_ptr<const EmissionPattern> pattern;  // null: the same everywhere
+  std::shared_ptr<const EmissionPattern> pattern = nullptr;  // null: the same everywhere
+  std::shared_ptr<const SpectrumByNm> spectrum =
+      nullptr;  // whose colour is that of the radiance, if it is given as one
   bool is_dark() const { return is_black(radiance); }
   Rgb at(const SurfacePoint& point) const { return pattern ? radiance * pattern->at(point) : radiance; }
 };

@@ -66,7 +66,7 @@ MaterialLight Looks::own_light(const MaterialLook& look, const Recipe& recipe) c
   light.radiance = Rgb(emission.strength);
   const TexturePtr<Rgb> texture = texture_of(emission.colour, made_textures(recipe, ignored), ignored);
   if (const auto colour = texture->constant())
-    light.radiance = *colour * emission.strength;
+    light.radiance = *colour * emission.strength, light.spectrum = emission.colour.spectrum;
   else
     light.pattern = std::make_shared<TexturePattern>(texture);
   return light;
