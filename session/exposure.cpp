@@ -96,7 +96,8 @@ int moments_of_an_iteration(const Job& job, const World& opening, const World& c
 
 void Exposure::colour(Scene& scene, int number) {
   if (!job_.settings.spectral) return;
-  scene.set_palette(Palette::of_iteration(job_.settings.seed, static_cast<std::uint64_t>(number)));
+  scene.set_palette(
+      Palette::of_iteration(job_.settings.seed, static_cast<std::uint64_t>(number), job_.film.sensor.get()));
 }
 
 Iteration Exposure::iteration(int number) {

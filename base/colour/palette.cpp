@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dspm/base/colour/interference.h"
+#include "dspm/base/colour/sensor.h"
 #include "dspm/base/colour/smooth_spectra.h"
 #include "dspm/base/colour/spectrum_lanes.h"
 #include "dspm/base/colour/wavelength.h"
@@ -25,7 +26,7 @@ struct Palette::Spectral {
   std::array<Rgb, 3> seen;            // of each component
   std::array<Spectrum, 3> primaries;  // shares that red, green and blue have of each component
 
-  explicit Spectral(const std::array<int, 3>& wavelengths) : nm(wavelengths) {
+  Spectral(const std::array<int, 3>& wavelengths, const Sensor* sensor) : nm(wavelengths) {
     const SmoothSpectra& spectra = SmoothSpectra::all();
     const auto at = [&](int r, int g, int b) {
       const SmoothSpectrum& spectrum = spectra.at(r, g, b);
@@ -39,8 +40,10 @@ struct Palette::Spectral {
     for (int k = 0; k < 3; ++k) {
       const float sum = primaries[0][k] + primaries[1][k] + primaries[2][k];
       for (Spectrum& primary : primaries) primary[k] /= sum;
-      const std::array<double, 3> part = part_of_white(nm[static_cast<std::size_t>(k)]);
-      const double chance = wavelength_probability(nm[static_cast<std::size_t>(k)]);
+      const int wavelength = nm[static_cast<std::size_t>(k)];
+      const std::array<double, 3> part =
+          sensor != nullptr ? sensor->part_of_white(wavelength) : part_of_white(wavelength);
+      const double chance = wavelength_probability(wavelength);
       for (int c = 0; c < 3; ++c)
         seen[static_cast<std::size_t>(k)][c] = static_cast<float>(part[static_cast<std::size_t>(c)] / (3 * chance));
     }
@@ -49,13 +52,14 @@ struct Palette::Spectral {
 
 constinit const Palette Palette::kRgb;
 
-std::shared_ptr<const Palette> Palette::of_iteration(std::uint64_t seed, std::uint64_t iteration) {
+std::shared_ptr<const Palette> Palette::of_iteration(std::uint64_t seed, std::uint64_t iteration,
+                                                     const Sensor* sensor) {
   std::array<int, 3> nm;
   for (std::size_t k = 0; k < 3; ++k) {
     const double u = place_among_wavelengths(seed, iteration) + static_cast<double>(k) / 3;
     nm[k] = wavelength_at(u < 1 ? u : u - 1);
   }
-  return std::shared_ptr<const Palette>(new Palette(std::make_shared<const Spectral>(nm)));
+  return std::shared_ptr<const Palette>(new Palette(std::make_shared<const Spectral>(nm, sensor)));
 }
 
 int Palette::nm(int component) const { return spectral_->nm[static_cast<std::size_t>(component)]; }

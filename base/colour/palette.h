@@ -12,13 +12,16 @@
 
 namespace dspm {
 
+class Sensor;
+
 class Palette {
  public:
   /// The palette of renders in RGB: nothing changes.
   static const Palette& rgb() { return kRgb; }
   /// That of an iteration of a spectral render. The wavelengths of consecutive iterations are spread evenly, by how much each
-  /// contributes to white.
-  static std::shared_ptr<const Palette> of_iteration(std::uint64_t seed, std::uint64_t iteration);
+  /// contributes to white. Null is the sensor of the observer of 1931.
+  static std::shared_ptr<const Palette> of_iteration(std::uint64_t seed, std::uint64_t iteration,
+                                                     const Sensor* sensor = nullptr);
 
   bool is_rgb() const { return spectral_ == nullptr; }
   /// The wavelength of a component, if it is not RGB.

@@ -1,4 +1,4 @@
-// The measured data that spectrum.h needs: the observer, fluorescent lamps and metals. Everything else has a formula.
+// The measured data that spectrum.h needs: the observer, fluorescent lamps, metals and sensors. Everything else has a formula.
 #pragma once
 
 #include <array>
@@ -25,5 +25,13 @@ struct NamedTable {
   std::span<const float> nm, values;
 };
 std::span<const NamedTable> metal_tables();
+
+/// A camera's responses of red, green and blue, 380 to 780 nm in steps of 5 nm.
+inline constexpr int kSensorSamples = 81;
+struct SensorTable {
+  std::string_view name;  // "canon_eos_5d_mkii"
+  std::span<const std::array<float, 3>, kSensorSamples> responses;
+};
+std::span<const SensorTable> sensor_tables();
 
 }  // namespace dspm

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "dspm/base/system/extension.h"
+#include "dspm/image/film/read_sensor.h"
 
 namespace dspm {
 
@@ -47,31 +48,6 @@ void check(ParamReader& reader, FilmSettings& film) {
     reader.error("whitebalance", "the white balance must be a temperature from 1000 to 25000 K, or 0");
   if (!(film.iso > 0)) reader.error("iso", "the ISO speed and the exposure time must be above 0");
   if (!(film.max_component > 0)) reader.error("maxcomponentvalue", "the largest value must be above 0");
-}
-
-// pbrt's cameras, whose response to spectra it fits to XYZ.
-constexpr std::string_view kRealSensors[] = {
-    "canon_eos_100d",     "canon_eos_1dx_mkii", "canon_eos_200d",    "canon_eos_200d_mkii", "canon_eos_5d",
-    "canon_eos_5d_mkii",  "canon_eos_5d_mkiii", "canon_eos_5d_mkiv", "canon_eos_5ds",       "canon_eos_m",
-    "hasselblad_l1d_20c", "nikon_d810",         "nikon_d850",        "sony_ilce_6400",      "sony_ilce_7m3",
-    "sony_ilce_7rm3",     "sony_ilce_9"};
-
-/// pbrt's default white balance for real sensors.
-constexpr float kWhiteOfRealSensors = 6500;
-
-/// Call this after reading "whitebalance", whose default depends on the sensor. pbrt fits each sensor's response to XYZ
-/// under the white balance, so cie1931 lacks only the error of that fit.
-void read_sensor(ParamReader& reader, FilmSettings& film) {
-  const std::string sensor = reader.text("sensor", "cie1931", "cie1931; it stands in for pbrt's real cameras");
-  if (sensor == "cie1931") return;
-  if (std::find(std::begin(kRealSensors), std::end(kRealSensors), sensor) == std::end(kRealSensors))
-    return reader.error("sensor", fmt::format("unknown sensor \"{}\"", sensor),
-                        did_you_mean(sensor, {std::begin(kRealSensors), std::end(kRealSensors)}));
-  if (!reader.has("whitebalance")) film.white_kelvin = kWhiteOfRealSensors;
-  reader.diagnostics().note(reader.where("sensor"),
-                            fmt::format("\"cie1931\" stands in for sensor \"{}\", with a white balance of {:.0f} K: "
-                                        "dspm renders colours, not the spectra that real sensors respond to",
-                                        sensor, film.white_kelvin));
 }
 
 void read_common(ParamReader& reader, FilmSettings& film) {

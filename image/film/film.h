@@ -1,6 +1,6 @@
 // The parameters of the Film directive as plain settings, and the arithmetic that follows from them.
 //   Film "rgb" "integer xresolution" 512 "integer yresolution" 512 "string filename" "water.exr"
-// film.cpp reads the parameters. pbrt's real sensors are read as "cie1931", with a note.
+// film.cpp reads the parameters, read_sensor.cpp those of the sensor.
 #pragma once
 
 #include <array>
@@ -12,6 +12,7 @@
 
 #include "dspm/base/colour/colour_space.h"
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/colour/sensor.h"
 #include "dspm/base/params/params.h"
 #include "dspm/base/params/registry.h"
 #include "dspm/image/film/pixel_rect.h"
@@ -28,11 +29,12 @@ struct FilmSettings {
   float white_kelvin = 0;                 // this daylight becomes white; 0: as it is
   ColourSpace space = ColourSpace::srgb;  // of EXR files
   float max_component = kInfinity;
-  bool save_half = true;         // else single precision
-  bool surface_outputs = false;  // next to radiance, what the camera sees first
-  bool transparent = false;      // with alpha, and without what lies behind all surfaces
-  bool in_camera_space = false;  // positions and normals among them; else in world space
-  bool spectral = false;         // paths carry wavelengths, unless Option "colour" says otherwise
+  bool save_half = true;                           // else single precision
+  bool surface_outputs = false;                    // next to radiance, what the camera sees first
+  bool transparent = false;                        // with alpha, and without what lies behind all surfaces
+  bool in_camera_space = false;                    // positions and normals among them; else in world space
+  bool spectral = false;                           // paths carry wavelengths, unless Option "colour" says otherwise
+  std::shared_ptr<const Sensor> sensor = nullptr;  // of spectral renders; null: the observer of 1931
 };
 
 /// What image files may be, by their extensions, in words.

@@ -5,6 +5,7 @@
 #include <deque>
 #include <map>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -28,6 +29,11 @@ Fact digest_fact(std::string name, std::uint64_t digest, const SourceLocation& w
   return {std::move(name), fmt::format("{:016x}", digest), true, {}, {}, where};
 }
 
+std::uint64_t sensor_digest(const Sensor& sensor) {
+  const auto bytes = std::as_bytes(sensor.parts_of_white());
+  return digest({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
 void add_settings(const Job& job, std::vector<Fact>& facts) {
   const RenderSettings& s = job.settings;
   const PixelRect& crop = s.crop;
@@ -38,6 +44,8 @@ void add_settings(const Job& job, std::vector<Fact>& facts) {
   facts.push_back({"the seed", std::to_string(s.seed)});
   if (s.independent_numbers) facts.push_back({"the random numbers (Sampler, Option \"numbers\")", "independent"});
   if (s.spectral) facts.push_back({"the colours (--colour)", "spectral"});
+  if (s.spectral && job.film.sensor != nullptr)
+    facts.push_back(digest_fact("the film's sensor", sensor_digest(*job.film.sensor)));
   if (s.noise_per_frame) facts.push_back({"the noise (--noise)", "perframe"});
   const std::set<std::string> outputs(s.outputs.begin(), s.outputs.end());
   const char* space = s.in_camera_space ? "camera" : "world";

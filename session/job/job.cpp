@@ -247,6 +247,10 @@ Job make_job(const SceneDescription& description, const Choices& choices, Diagno
   settings.independent_numbers = numbers.empty() ? sampler.independent_numbers : numbers == "independent";
   const std::string& colour = choices.colour.empty() ? description.options.colour : choices.colour;
   settings.spectral = colour.empty() ? job.film.spectral : colour == "spectral";
+  if (job.film.sensor != nullptr && !settings.spectral)
+    diagnostics.note(
+        description.film ? description.film->where : SourceLocation{},
+        "the film's sensor responds to wavelengths, so it has no effect in RGB; --colour spectral has them");
   settings.noise_per_frame = noise_of(job, sampler, choices) == "perframe";
   if (job.plugin != nullptr) {
     check_integrator(job, job.params, job.where, diagnostics);

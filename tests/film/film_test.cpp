@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "tests/support/temporary_directory.h"
+
 namespace dspm {
 namespace {
 
@@ -85,13 +87,35 @@ TEST(Film, WrongValuesAreErrors) {
   for (const auto& params : wrong) EXPECT_GT(read(params).diagnostics.error_count(), 0) << params.front().name;
 }
 
-TEST(Film, Cie1931StandsInForRealSensors) {
+TEST(Film, Cie1931StandsInForSensorsWithoutMeasurements) {
   const Reading r = read({text("sensor", "canon_eos_5d"), numbers("whitebalance", {5000})});
   ASSERT_EQ(r.diagnostics.all().size(), 1u);
   EXPECT_EQ(r.diagnostics.all()[0].severity, Severity::note);
+  EXPECT_EQ(r.film.sensor, nullptr);
   EXPECT_EQ(r.film.white_kelvin, 5000);
   EXPECT_EQ(read({text("sensor", "nikon_d850")}).film.white_kelvin, 6500);  // pbrt's for real sensors
   EXPECT_EQ(read({text("sensor", "cie1931")}).film.white_kelvin, 0);
+}
+
+TEST(Film, HasMeasuredSensors) {
+  const Reading named = read({text("sensor", "canon_eos_5d_mkii")});
+  EXPECT_TRUE(named.diagnostics.all().empty());
+  ASSERT_NE(named.film.sensor, nullptr);
+  EXPECT_EQ(named.film.white_kelvin, 6500);
+  const test::TemporaryDirectory directory;
+  const auto of_file = [&](const std::string& contents) {
+    test::put_file(directory / "mine.txt", contents);
+    return read({text("sensorfile", (directory / "mine.txt").string())});
+  };
+  const Reading mine = of_file("# nm, red, green, blue\n400,0,0,1\n 500 0 1 .2\n600 1 .2 0\n700 0 0 0\n");
+  EXPECT_TRUE(mine.diagnostics.all().empty());
+  EXPECT_NE(mine.film.sensor, nullptr);
+  for (const char* wrong : {"", "400 0 0 1", "400 0 0 1 500 0 1", "400 0 0 1 400 0 1 0", "400 1 1 1 700 1 1 1",
+                            "400 0 0 1 700 0 0 1", "red green blue", "400 -1 0 1 500 -1 1 1 700 -1 1 1"}) {
+    const Reading r = of_file(wrong);
+    EXPECT_EQ(r.diagnostics.error_count(), 1) << wrong;
+  }
+  EXPECT_EQ(read({text("sensorfile", "nowhere.txt")}).diagnostics.error_count(), 1);
 }
 
 TEST(Film, ASpectralFilmIsRenderedByWavelength) {
@@ -209,7 +233,7 @@ TEST(Film, OtherColourSpacesKeepWhite) {
 
 TEST(Film, DescribesItsParameters) {
   const auto described = describe(film_plugins().front());
-  EXPECT_EQ(described.size(), 13u);
+  EXPECT_EQ(described.size(), 14u);
 }
 
 }  // namespace

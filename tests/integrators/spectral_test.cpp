@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "dspm/base/colour/colour_space.h"
+#include "dspm/base/colour/sensor.h"
 #include "dspm/base/colour/smooth_spectra.h"
 #include "dspm/base/colour/wavelength.h"
 #include "dspm/materials/fresnel.h"
@@ -113,6 +115,52 @@ TEST(Spectral, SkiesShineByTheirSpectra) {
   const Rgb expected = seen([&](int nm) { return light.spectrum->at(nm) * dye.at(static_cast<float>(nm)); });
   expect_near(mean_of(view(kSpectral, path, sky + dyed + kFloor), 512), expected, 0.03f * expected.g);
   expect_near(mean_of(view(kSpectral, path, sky), 64), {0.2f, 0.3f, 0.4f}, 0.003f);
+}
+
+TEST(Spectral, SurfacesEmitByTheirSpectra) {
+  const std::string floor =
+      "Material \"principled\" \"spectrum emission\" [500 0 510 1 520 0] \"float emissionstrength\" 2\n" + kFloor;
+  const Colour light = Colour::of({{500, 510, 520}, {0, 1, 0}}, SpectrumRole::illuminant);
+  const Rgb expected = seen([&](int nm) { return 2 * light.spectrum->at(nm); });
+  EXPECT_LT(expected.r, -0.5f);  // the line lies outside of Rec. 709
+  for (const std::string& integrator : integrators()) {
+    SCOPED_TRACE(integrator);
+    expect_near(mean_of(view(kSpectral, integrator, floor), 256), expected, 0.06f * expected.g);
+  }
+}
+
+// A camera's picture of a dye under a lamp of lines is not what an eye sees.
+TEST(Spectral, SensorsRecordByTheirResponses) {
+  std::string text = view(kSpectral, R"("path" "integer maxdepth" 2)",
+                          "LightSource \"infinite\" \"spectrum L\" \"stdillum-F11\"\n"
+                          "Material \"diffuse\" \"spectrum reflectance\" [530 .1 550 .9 570 .1]\n" +
+                              kFloor);
+  const std::string film = "Film \"rgb\"";
+  text.insert(text.find(film) + film.size(), " \"string sensor\" \"canon_eos_5d_mkii\"");
+  const Colour light = Colour::of(*named_spectrum("stdillum-F11"), SpectrumRole::illuminant);
+  const SpectralCurve dye{{530, 550, 570}, {0.1f, 0.9f, 0.1f}};
+  const auto reflected = [&](int nm) { return light.spectrum->at(nm) * dye.at(static_cast<float>(nm)); };
+  std::array<double, 3> sum{};
+  for (int nm = kFirstNm; nm <= kLastNm; ++nm)
+    for (std::size_t c = 0; c < 3; ++c)
+      sum[c] += named_sensor("canon_eos_5d_mkii")->part_of_white(nm)[c] * static_cast<double>(reflected(nm));
+  const Rgb expected{static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2])};
+  const float tolerance = 0.01f * expected.g;
+  EXPECT_GT(std::abs(expected.r - seen(reflected).r), 5 * tolerance);
+  expect_near(mean_of(text, 512), expected, tolerance);
+}
+
+// Colours that Rec. 709 lacks: a render in RGB clamps them, a spectral one has smooth spectra of them.
+TEST(Spectral, WideColoursAreKept) {
+  const std::string path = R"("path" "integer maxdepth" 2)", space = "ColorSpace \"rec2020\"\n";
+  const std::string dyed = space + kWhiteSky + "Material \"diffuse\" \"rgb reflectance\" [.2 .6 .15]\n" + kFloor;
+  const Rgb dye = beyond_rec709({0.2f, 0.6f, 0.15f}, ColourSpace::rec2020, SpectrumRole::albedo);
+  EXPECT_LT(dye.r, -0.02f);
+  expect_near(mean_of(view(kSpectral, path, dyed), 256), dye, 0.004f);
+  EXPECT_GE(mean_of(view("", path, dyed), 4).r, 0);
+  const std::string sky = space + "LightSource \"infinite\" \"rgb L\" [.3 2 .3]\n";
+  const Rgb light = beyond_rec709({0.3f, 2, 0.3f}, ColourSpace::rec2020, SpectrumRole::illuminant);
+  expect_near(mean_of(view(kSpectral, path, sky), 256), light, 0.02f);
 }
 
 // The first lamp has nothing where the second one does, and their photons start together.
