@@ -1,19 +1,47 @@
 #include "dspm/media/coefficients.h"
 
 #include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "dspm/base/colour/smooth_spectra.h"
+#include "dspm/base/colour/wavelength.h"
 #include "dspm/media/measured_media.h"
 
 namespace dspm {
+namespace {
+
+/// Returns sigma_a Le by wavelength, over the luminance of the product of their colours; null if sigma_a is grey and
+/// Le has no spectrum: then the product's own colour says the same.
+std::shared_ptr<const SpectrumByNm> emitted_spectrum(const Coefficients& coefficients, const Colour& radiance) {
+  const Rgb &sigma_a = coefficients.sigma_a, &Le = radiance.rgb;
+  const std::shared_ptr<const SpectrumByNm>& absorbed = coefficients.spectra.sigma_a.spectrum;
+  const float luminous = luminance(sigma_a * Le);
+  const bool is_grey = !absorbed && sigma_a.r == sigma_a.g && sigma_a.g == sigma_a.b;
+  if (!(luminous > 0) || (is_grey && !radiance.spectrum)) return nullptr;
+  const float strength = 2 * max_component(Le), unit = mean(coefficients.spectra.sigma_a.rgb);  // see Palette::light()
+  const SmoothSpectrum smooth(Le / strength, {});
+  SpectrumByNm::Values values;
+  for (int nm = kFirstNm; nm <= kLastNm; ++nm) {
+    const auto [red, green, blue] = SmoothSpectra::all().shares(nm);
+    const float sigma = absorbed ? absorbed->at(nm) * mean(sigma_a) / unit
+                                 : red * sigma_a.r + green * sigma_a.g + blue * sigma_a.b,
+                shining = radiance.spectrum ? radiance.spectrum->at(nm) * luminance(Le) : strength * smooth.at(nm);
+    values[static_cast<std::size_t>(nm - kFirstNm)] = sigma * shining / luminous;
+  }
+  return std::make_shared<const SpectrumByNm>(values);
+}
+
+}  // namespace
 
 Coefficients read_coefficients(ParamReader& reader, const Rgb& sigma_a, const Rgb& sigma_s) {
   Coefficients read;
   const std::string preset = reader.text("preset", "", "a measured medium such as \"Wholemilk\", per millimetre");
-  read.spectra = {
-      reader.colour("sigma_a", sigma_a, SpectrumRole::unbounded, "absorption per unit of length in the world"),
-      reader.colour("sigma_s", sigma_s, SpectrumRole::unbounded, "scattering per unit of length in the world")};
+  read.spectra.sigma_a =
+      reader.colour("sigma_a", sigma_a, SpectrumRole::unbounded, "absorption per unit of length in the world");
+  read.spectra.sigma_s =
+      reader.colour("sigma_s", sigma_s, SpectrumRole::unbounded, "scattering per unit of length in the world");
   read.sigma_a = read.spectra.sigma_a.rgb, read.sigma_s = read.spectra.sigma_s.rgb;
   const float scale = reader.number("scale", 1, "", "multiplies both");
   read.g = reader.number("g", 0, "", "mean cosine of scattering, between -1 (back) and 1 (on)");
@@ -35,13 +63,10 @@ Coefficients read_coefficients(ParamReader& reader, const Rgb& sigma_a, const Rg
   return read;
 }
 
-Rgb read_emitted_radiance(ParamReader& reader) {
-  const Rgb colour = reader.rgb("Le", Rgb(0), SpectrumRole::illuminant, "radiance that what absorbs gives off");
-  const float scale = reader.number("Lescale", 1, "", "multiplies Le");
-  const Rgb emission = colour * scale;
-  if (!(emission.r >= 0 && emission.g >= 0 && emission.b >= 0))
-    reader.error("Lescale", "\"Le\" and \"Lescale\" of " + reader.subject() + " must not be negative");
-  return emission;
+Rgb read_emitted_radiance(ParamReader& reader, Coefficients& coefficients) {
+  const Colour radiance = reader.colour("Le", Rgb(0), SpectrumRole::illuminant, "radiance that what absorbs gives off");
+  coefficients.spectra.emitted = emitted_spectrum(coefficients, radiance);
+  return radiance.rgb;
 }
 
 }  // namespace dspm

@@ -17,7 +17,7 @@ struct Coefficients {
 /// Reads "preset", "sigma_a", "sigma_s", "scale" and "g".
 Coefficients read_coefficients(ParamReader& reader, const Rgb& sigma_a, const Rgb& sigma_s);
 
-/// Reads "Le" and "Lescale": the radiance that what absorbs gives off.
-Rgb read_emitted_radiance(ParamReader& reader);
+/// Reads "Le": the radiance that what absorbs gives off. By wavelength it goes into the spectra.
+Rgb read_emitted_radiance(ParamReader& reader, Coefficients& coefficients);
 
 }  // namespace dspm

@@ -37,11 +37,13 @@ class Homogeneous final : public Medium {
 }  // namespace
 
 std::unique_ptr<Medium> make_homogeneous_medium(ParamReader& reader, const MediumContext&) {
-  const Coefficients read = read_coefficients(reader, {.0011f, .0024f, .014f}, {2.55f, 3.21f, 3.77f});
-  const Rgb emission = read_emitted_radiance(reader);
+  Coefficients read = read_coefficients(reader, {.0011f, .0024f, .014f}, {2.55f, 3.21f, 3.77f});
+  const Rgb radiance = read_emitted_radiance(reader, read);
+  const float scale = reader.number("Lescale", 1, "", "multiplies Le");
+  if (!(scale >= 0)) reader.error("Lescale", "\"Lescale\" of " + reader.subject() + " must not be negative");
   reader.finish();
-  auto medium =
-      std::make_unique<Homogeneous>(MediumProperties{read.sigma_a, read.sigma_s, read.sigma_a * emission, read.g});
+  auto medium = std::make_unique<Homogeneous>(
+      MediumProperties{read.sigma_a, read.sigma_s, read.sigma_a * (radiance * scale), read.g});
   medium->set_spectra(read.spectra);
   return medium;
 }

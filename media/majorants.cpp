@@ -52,11 +52,8 @@ Majorants::Majorants(std::span<const Medium* const> states) {
 Spectrum Majorants::most_over_bound(const Palette& palette) const {
   Spectrum most(1);
   if (palette.is_rgb()) return most;
-  const auto at_its = [&](const Colour& c) {
-    return c.spectrum ? palette.at_its(*c.spectrum) : palette.per_length(c.rgb);
-  };
   for (const MediumSpectra& state : spectra_) {
-    const Spectrum all = at_its(state.sigma_a) + at_its(state.sigma_s);
+    const Spectrum all = palette.per_length(state.sigma_a) + palette.per_length(state.sigma_s);
     const Spectrum bound = palette.per_length(state.sigma_a.rgb + state.sigma_s.rgb);
     for (int k = 0; k < 3; ++k)
       if (bound[k] > 0) most[k] = std::max(most[k], all[k] / bound[k]);

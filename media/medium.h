@@ -38,9 +38,11 @@ using MediumProperties = MediumPropertiesIn<Rgb>;
 /// The same as paths carry it.
 using CarriedMedium = MediumPropertiesIn<Spectrum>;
 
-/// What a medium's sigmas are multiples of, if they are given as spectra.
+/// What a medium's sigmas are multiples of, if they are given as spectra, and what it gives off: by wavelength, over the
+/// luminance of what it gives off as a colour. Null: the colour says all.
 struct MediumSpectra {
   Colour sigma_a, sigma_s;
+  std::shared_ptr<const SpectrumByNm> emitted = nullptr;
   bool are_given() const { return sigma_a.spectrum || sigma_s.spectrum; }
 };
 

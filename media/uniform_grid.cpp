@@ -84,9 +84,8 @@ std::unique_ptr<Medium> make_uniform_grid(ParamReader& reader, const MediumConte
   const auto counts = read_counts(reader);
   std::vector<float> density = reader.numbers("density", "density of each voxel, x fastest and z slowest"),
                      temperature = reader.numbers("temperature", "temperature of each voxel, in kelvin");
-  const Coefficients coefficients = read_coefficients(reader, Rgb(1), Rgb(1));
-  UniformGrid::Emission emission{
-      reader.rgb("Le", Rgb(0), SpectrumRole::illuminant, "radiance that what absorbs gives off"), {}, {}, Glow(reader)};
+  Coefficients coefficients = read_coefficients(reader, Rgb(1), Rgb(1));
+  UniformGrid::Emission emission{read_emitted_radiance(reader, coefficients), {}, {}, Glow(reader)};
   std::vector<float> scale =
       reader.numbers("Lescale", "multiplies Le or what glows: one number, or one for each voxel");
   reader.finish();

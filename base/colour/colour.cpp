@@ -46,22 +46,18 @@ SpectrumByNm::SpectrumByNm(const SpectralCurve& curve, SpectrumRole role) {
   }
 }
 
-SpectrumByNm::SpectrumByNm(const SmoothSpectrum& spectrum, float scale) {
-  for (int nm = kFirstNm; nm <= kLastNm; ++nm)
-    values_[static_cast<std::size_t>(nm - kFirstNm)] = scale * spectrum.at(nm);
-}
-
 Colour Colour::of(const Rgb& c, ColourSpace space, SpectrumRole role) {
   const Rgb beyond = beyond_rec709(c, space, role), clamped = to_rec709(c, space, role);
   constexpr float kOutside = -1e-4f, kDark = 0.25f;  // of a light's colour: dark spectra reach further
   const float largest = max_component(clamped), least = std::min({beyond.r, beyond.g, beyond.b});
   if (!(least < kOutside * largest) || !std::isfinite(largest) || role == SpectrumRole::unbounded) return {clamped};
-  if (role == SpectrumRole::albedo)
-    return {clamped, std::make_shared<const SpectrumByNm>(SmoothSpectrum(beyond, {}), 1.f)};
+  const float strength = role == SpectrumRole::albedo ? 1 : largest / kDark;
   // Whoever carries light multiplies by the luminance of its colour, which clamping has raised.
-  const float strength = largest / kDark;
-  return {clamped,
-          std::make_shared<const SpectrumByNm>(SmoothSpectrum(beyond / strength, {}), strength / luminance(clamped))};
+  const float scale = role == SpectrumRole::albedo ? 1 : strength / luminance(clamped);
+  const SmoothSpectrum smooth(beyond / strength, {});
+  SpectrumByNm::Values values;
+  for (int nm = kFirstNm; nm <= kLastNm; ++nm) values[static_cast<std::size_t>(nm - kFirstNm)] = scale * smooth.at(nm);
+  return {clamped, std::make_shared<const SpectrumByNm>(values)};
 }
 
 }  // namespace dspm

@@ -10,19 +10,18 @@
 
 namespace dspm {
 
-class SmoothSpectrum;
-
 /// Values at each nm from 360 to 830 as paths carry them: of light, over those of daylight of the same luminance.
 class SpectrumByNm {
  public:
   /// Reflectances are clamped to 0..1. Light has a luminance of 1.
   SpectrumByNm(const SpectralCurve& curve, SpectrumRole role);
-  SpectrumByNm(const SmoothSpectrum& spectrum, float scale);
+  using Values = std::array<float, kLastNm - kFirstNm + 1>;
+  explicit SpectrumByNm(const Values& values) : values_(values) {}
   float at(int nm) const { return values_[static_cast<std::size_t>(nm - kFirstNm)]; }
   friend bool operator==(const SpectrumByNm&, const SpectrumByNm&) = default;
 
  private:
-  std::array<float, kLastNm - kFirstNm + 1> values_;
+  Values values_;
 };
 
 struct Colour {

@@ -36,11 +36,10 @@ struct Palette::Spectral {
     for (int r = 0; r <= kCells; ++r)
       for (int g = 0; g <= kCells; ++g)
         for (int b = 0; b <= kCells; ++b) smooth.emplace_back(at(r, g, b));
-    primaries = {at(kCells, 0, 0), at(0, kCells, 0), at(0, 0, kCells)};
     for (int k = 0; k < 3; ++k) {
-      const float sum = primaries[0][k] + primaries[1][k] + primaries[2][k];
-      for (Spectrum& primary : primaries) primary[k] /= sum;
       const int wavelength = nm[static_cast<std::size_t>(k)];
+      const std::array<float, 3> shares = spectra.shares(wavelength);
+      for (std::size_t c = 0; c < 3; ++c) primaries[c][k] = shares[c];
       const std::array<double, 3> part =
           sensor != nullptr ? sensor->part_of_white(wavelength) : part_of_white(wavelength);
       const double chance = wavelength_probability(wavelength);

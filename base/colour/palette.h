@@ -36,6 +36,9 @@ class Palette {
   /// Returns what a path sees of absorption or scattering per unit of length. This is linear and never negative, so that of
   /// a bound is a bound.
   Spectrum per_length(const Rgb& c) const { return is_rgb() ? Spectrum(c.r, c.g, c.b) : blended(c); }
+  Spectrum per_length(const Colour& c) const {
+    return is_rgb() || !c.spectrum ? per_length(c.rgb) : at_its(*c.spectrum);
+  }
   /// Returns the values of a spectrum at its wavelengths; not for RGB.
   Spectrum at_its(const SpectrumByNm& spectrum) const;
   /// Returns the cosine of the phase by which a path longer by so many nm delays light.

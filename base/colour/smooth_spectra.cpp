@@ -128,4 +128,11 @@ SmoothSpectra::SmoothSpectra() {
     }
 }
 
+std::array<float, 3> SmoothSpectra::shares(int nm) const {
+  constexpr int kFull = kSide - 1;
+  const float red = at(kFull, 0, 0).at(nm), green = at(0, kFull, 0).at(nm), blue = at(0, 0, kFull).at(nm);
+  const float sum = red + green + blue;
+  return {red / sum, green / sum, blue / sum};
+}
+
 }  // namespace dspm

@@ -33,6 +33,8 @@ class SmoothSpectra {
 
   static const SmoothSpectra& all();
   const SmoothSpectrum& at(int r, int g, int b) const { return grid_[index(r, g, b)]; }
+  /// The shares that red, green and blue have of a wavelength. They add up to 1.
+  std::array<float, 3> shares(int nm) const;
   static std::size_t index(int r, int g, int b) { return static_cast<std::size_t>((r * kSide + g) * kSide + b); }
 
  private:

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -228,6 +229,82 @@ Shape "trianglemesh" "point3 P" [-2 -2 -2 2 -2 -2 2 2 -2 -2 2 -2  -2 -2 0 2 -2 0
       SCOPED_TRACE(std::string(medium) + integrator);
       expect_near(mean_of(view(kSpectral, integrator, contents), 128), expected, 0.02f);
     }
+  }
+}
+
+// A flame of salt: behind so much of it that absorbs in one band there is Le (1 - exp(-sigma_a d)) of each wavelength.
+TEST(Spectral, MediaGlowByTheirSpectra) {
+  const SpectralCurve band{{480, 520, 560}, {0.05f, 2, 0.05f}};
+  const Colour lamp = Colour::of(*named_spectrum("stdillum-F11"), SpectrumRole::illuminant);
+  const Rgb orange(3, 1, 0.2f);
+  const auto absorbed = [&](int nm) { return band.at(std::clamp(static_cast<float>(nm), 480.f, 560.f)); };
+  const SmoothSpectrum smooth(orange / 6, {});
+  const auto blended = [&](int nm) {
+    const auto [r, g, b] = SmoothSpectra::all().shares(nm);
+    return 0.2f * r + 1 * g + 0.5f * b;
+  };
+  struct Case {
+    std::string sigma_a, radiance;
+    std::function<float(int)> absorbed, shining;
+  };
+  const std::string dyed = R"( "spectrum sigma_a" [480 .05 520 2 560 .05])", lit = R"( "spectrum Le" "stdillum-F11")";
+  for (const Case& each : {Case{dyed, lit, absorbed, [&](int nm) { return lamp.spectrum->at(nm); }},
+                           {dyed, R"( "rgb Le" [3 1 .2])", absorbed, [&](int nm) { return 6 * smooth.at(nm); }},
+                           {R"( "rgb sigma_a" [.2 1 .5])", R"( "rgb Le" [1 1 1])", blended, [](int) { return 1.f; }}})
+    for (const char* medium :
+         {R"("string type" "homogeneous" "float Lescale" 2)",
+          R"("string type" "uniformgrid" "float Lescale" 2 "integer nx" 2 "integer ny" 2 "integer nz" 2
+             "point3 p0" [-9 -9 -9] "point3 p1" [9 9 9] "float density" [1 1 1 1  1 1 1 1])"}) {
+      const std::string contents = std::string("MakeNamedMedium \"salt\" ") + medium + each.sigma_a + each.radiance +
+                                   R"( "rgb sigma_s" [0 0 0]
+MediumInterface "salt" ""
+Material "interface"
+Shape "trianglemesh" "point3 P" [-2 -2 -2 2 -2 -2 2 2 -2 -2 2 -2  -2 -2 0 2 -2 0 2 2 0 -2 2 0]
+  "integer indices" [0 2 1 0 3 2  4 5 6 4 6 7  0 1 5 0 5 4  1 2 6 1 6 5  2 3 7 2 7 6  3 0 4 3 4 7]
+)";
+      const Rgb expected = seen([&](int nm) { return 2 * each.shining(nm) * (1 - std::exp(-2 * each.absorbed(nm))); });
+      for (const char* integrator : {R"("path" "integer maxdepth" 8)", R"("dsppm" "integer photons" 2000)"}) {
+        SCOPED_TRACE(medium + each.sigma_a + each.radiance + integrator);
+        expect_near(mean_of(view(kSpectral, integrator, contents), 128), expected, 0.03f * max_component(expected));
+      }
+    }
+}
+
+// A ball that glows lights the floor below it, whether paths find it or photons bring it: by Le (1 - exp(-sigma_a chord)) from
+// each direction.
+TEST(Spectral, GlowOfMediaLightsByItsSpectrum) {
+  constexpr float kRadius = 1.6f, kHeight = 3.2f;
+  const SpectralCurve band{{480, 520, 560}, {0.05f, 2, 0.05f}};
+  const Colour lamp = Colour::of(*named_spectrum("stdillum-F11"), SpectrumRole::illuminant);
+  const auto irradiance_over_pi = [&](int nm) {
+    const float sigma_a = band.at(std::clamp(static_cast<float>(nm), 480.f, 560.f));
+    constexpr int kSteps = 100;
+    const float most = kRadius * kRadius / (kHeight * kHeight);  // the square of the sine
+    float sum = 0;
+    for (int i = 0; i < kSteps; ++i) {
+      const float sin2 = most * (static_cast<float>(i) + 0.5f) / kSteps;
+      const float chord = 2 * std::sqrt(kRadius * kRadius - kHeight * kHeight * sin2);
+      sum += 1 - std::exp(-sigma_a * chord);
+    }
+    return lamp.spectrum->at(nm) * sum * most / kSteps;
+  };
+  const Rgb expected = 0.5f * seen(irradiance_over_pi);
+  const std::string contents =
+      fmt::format(R"(MakeNamedMedium "salt" "string type" "homogeneous" "spectrum Le" "stdillum-F11"
+  "spectrum sigma_a" [480 .05 520 2 560 .05] "rgb sigma_s" [0 0 0]
+AttributeBegin
+  MediumInterface "salt" ""
+  Material "interface"
+  Translate 0 0 {}
+  Shape "sphere" "float radius" {}
+AttributeEnd
+Material "diffuse" "rgb reflectance" [.5 .5 .5]
+)",
+                  kHeight, kRadius) +
+      kFloor;
+  for (const std::string& integrator : integrators()) {
+    SCOPED_TRACE(integrator);
+    expect_near(mean_of(view(kSpectral, integrator, contents), 512), expected, 0.06f * max_component(expected));
   }
 }
 

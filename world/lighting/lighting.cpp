@@ -25,11 +25,11 @@ namespace {
 struct LightState {
   ParamList params;
   Matrix4 placement;
-  int shape = -1;       // of an emitter, into Geometry::shapes
-  bool hidden = false;  // see Emitter; the same in all frames
+  int shape = -1;                  // of an emitter, into Geometry::shapes
+  bool hidden = false;             // see Emitter; the same in all frames
+  const PluginUse* use = nullptr;  // null: the light's own
   std::shared_ptr<const EmissionPattern> pattern = nullptr;
   std::shared_ptr<const SpectrumByNm> spectrum = nullptr;  // of what a material emits; else the parameters say it
-  const PluginUse* use = nullptr;                          // null: the light's own
 
   friend bool operator==(const LightState& a, const LightState& b) {
     return a.shape == b.shape && a.placement == b.placement && a.pattern == b.pattern && a.spectrum == b.spectrum &&
@@ -70,12 +70,7 @@ class LightMaker {
       if (places.at(f) < 0) return std::nullopt;
       const LightUse& use = description_.light_of(own, f);
       return LightState{light_params(description_, use, use.name, f),
-                        places.states[static_cast<std::size_t>(places.at(f))],
-                        -1,
-                        false,
-                        nullptr,
-                        nullptr,
-                        &use};
+                        places.states[static_cast<std::size_t>(places.at(f))], -1, false, &use};
     });
     auto light = finish(typed, name, *plugin, states);
     if (!light) return light;
@@ -159,14 +154,15 @@ class LightMaker {
       diagnostics_.error(use.type_where,
                          fmt::format("area light \"{}\" of type \"{}\" cannot be replaced by one of type \"{}\"",
                                      use.name, emitter.use->type, use.type));
-    return {light_params(description_, use, use.name, f), {}, shape, emitter.is_hidden, nullptr, nullptr, &use};
+    return {light_params(description_, use, use.name, f), {}, shape, emitter.is_hidden, &use};
   }
   /// Emits only where the surface has no holes: a hole has no material.
   std::optional<LightState> of_material(const Emitter& emitter, int shape, FileFrame f) const {
     const MaterialLight& light = looks_.light(emitter.of_material, f);
     if (light.is_dark() || emitter.is_hidden) return std::nullopt;
     const AreaLightUse& use = *emitter.use;
-    LightState state{light_params(description_, use, use.name, f), {}, shape, false, light.pattern, light.spectrum};
+    LightState state{
+        light_params(description_, use, use.name, f), {}, shape, false, nullptr, light.pattern, light.spectrum};
     const Rgb& L = light.radiance;
     state.params.params.push_back(param_of(ParamType::rgb, "L", std::vector{L.r, L.g, L.b}, use.where));
     return state;

@@ -30,6 +30,7 @@ float volume(const Bounds3& box) {
 
 MediumGlow::MediumGlow(std::shared_ptr<const Medium> medium, const Bounds3& box)
     : medium_(std::move(medium)), cells_(cells_in(box)) {
+  set_spectrum(medium_->spectra().emitted);
   float sum = 0;
   for (const Cell& cell : cells_) power_ += 4 * kPi * volume(cell.box) * cell.emitted, sum += luminance(cell.emitted);
   if (!(sum > 0)) return;
