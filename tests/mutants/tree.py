@@ -80,19 +80,20 @@ class Tree:
             raise SystemExit(done.stdout + done.stderr)
 
     def tests(self):
+        """By name those that are programs of their own; scripts are not."""
         shown = subprocess.run(["ctest", "--test-dir", self.build_folder, "--show-only=json-v1"], check=True,
                                capture_output=True, text=True).stdout
-        found = {}
+        found, links = {}, self.links()
         for test in json.loads(shown[shown.index("{"):])["tests"]:
             if LEFT_OUT.match(test["name"]):
                 continue
             settings = {p["name"]: p["value"] for p in test["properties"]}
             folder = pathlib.Path(settings["WORKING_DIRECTORY"])
             program = folder / (test["name"].replace("/", "_") + "_test")  # see dspm_test() in cmake/dspm.cmake
-            found[test["name"]] = Test(test["name"], program, settings.get("RUN_SERIAL", False))
-        links = self.links()
-        for test in found.values():
-            test.needs_dspm = "dspm" in links[self.target(test)]
+            made = Test(test["name"], program, settings.get("RUN_SERIAL", False))
+            if (linked_from := links.get(self.target(made))) is not None:
+                made.needs_dspm = "dspm" in linked_from
+                found[made.name] = made
         return found
 
     def target(self, test):
