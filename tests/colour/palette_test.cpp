@@ -84,6 +84,39 @@ TEST(Palette, ReflectancesReflectNoMoreThanAll) {
     }
 }
 
+// Blends have no negative shares.
+TEST(Palette, BlendsLieBetweenTheCornersOfTheirCells) {
+  constexpr int kCells = SmoothSpectra::kSide - 1;
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    const auto palette = Palette::of_iteration(6, i);
+    for (const Rgb& c : some_colours())
+      for (int k = 0; k < 3; ++k) {
+        float least = 1, most = 0;
+        for (int corner = 0; corner < 8; ++corner) {
+          std::array<int, 3> place{};
+          for (int axis = 0; axis < 3; ++axis)
+            place[static_cast<std::size_t>(axis)] =
+                std::min(static_cast<int>(c[axis] * kCells), kCells - 1) + (corner >> axis & 1);
+          const float at = SmoothSpectra::all().at(place[0], place[1], place[2]).at(palette->nm(k));
+          least = std::min(least, at), most = std::max(most, at);
+        }
+        EXPECT_GE(palette->carried(c)[k], least - 1e-5f);
+        EXPECT_LE(palette->carried(c)[k], most + 1e-5f);
+      }
+  }
+}
+
+TEST(Palette, LightIsAReflectanceOfHalfTheStrengthTwice) {
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    const auto palette = Palette::of_iteration(6, i);
+    for (const Rgb& c : some_colours()) {
+      const float twice = 2 * max_component(c);
+      const Spectrum light = palette->light(7 * c), expected = 7 * twice * palette->carried(c / twice);
+      for (int k = 0; k < 3; ++k) EXPECT_NEAR(light[k], expected[k], 1e-4f);
+    }
+  }
+}
+
 TEST(Palette, GreyIsGreyAtEachWavelength) {
   for (std::uint64_t i = 0; i < 20; ++i) {
     const auto palette = Palette::of_iteration(2, i);
