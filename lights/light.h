@@ -106,10 +106,7 @@ class Light {
   const std::shared_ptr<const SpectrumByNm>& spectrum() const { return spectrum_; }
   void set_spectrum(std::shared_ptr<const SpectrumByNm> spectrum) { spectrum_ = std::move(spectrum); }
   /// Returns what paths carry of a colour that the light gave.
-  Spectrum carried(const Rgb& colour, const Palette& palette) const {
-    return spectrum_ == nullptr || palette.is_rgb() ? palette.light(colour)
-                                                    : palette.at_its(*spectrum_) * luminance(colour);
-  }
+  Spectrum carried(const Rgb& colour, const Palette& palette) const { return palette.light(colour, spectrum_.get()); }
   /// What paths carry of background(), which may be of another colour.
   Spectrum carried_background(const Ray& ray, const Palette& palette) const {
     const Rgb seen = background(ray);

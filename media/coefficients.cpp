@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "dspm/base/colour/smooth_spectra.h"
-#include "dspm/base/colour/wavelength.h"
 #include "dspm/media/measured_media.h"
 
 namespace dspm {
@@ -22,15 +21,13 @@ std::shared_ptr<const SpectrumByNm> emitted_spectrum(const Coefficients& coeffic
   if (!(luminous > 0) || (is_grey && !radiance.spectrum)) return nullptr;
   const float strength = 2 * max_component(Le), unit = mean(coefficients.spectra.sigma_a.rgb);  // see Palette::light()
   const SmoothSpectrum smooth(Le / strength, {});
-  SpectrumByNm::Values values;
-  for (int nm = kFirstNm; nm <= kLastNm; ++nm) {
+  return std::make_shared<const SpectrumByNm>([&](int nm) {
     const auto [red, green, blue] = SmoothSpectra::all().shares(nm);
     const float sigma = absorbed ? absorbed->at(nm) * mean(sigma_a) / unit
                                  : red * sigma_a.r + green * sigma_a.g + blue * sigma_a.b,
                 shining = radiance.spectrum ? radiance.spectrum->at(nm) * luminance(Le) : strength * smooth.at(nm);
-    values[static_cast<std::size_t>(nm - kFirstNm)] = sigma * shining / luminous;
-  }
-  return std::make_shared<const SpectrumByNm>(values);
+    return sigma * shining / luminous;
+  });
 }
 
 }  // namespace

@@ -14,9 +14,7 @@ Spectrum multiple(const Rgb& sigma, const Colour& of, const Palette& palette) {
 
 CarriedMedium Medium::carried(const MediumProperties& here, const Palette& palette) const {
   return {multiple(here.sigma_a, spectra_.sigma_a, palette), multiple(here.sigma_s, spectra_.sigma_s, palette),
-          spectra_.emitted != nullptr && !palette.is_rgb() ? palette.at_its(*spectra_.emitted) * luminance(here.emitted)
-                                                           : palette.light(here.emitted),
-          here.g};
+          palette.light(here.emitted, spectra_.emitted.get()), here.g};
 }
 
 }  // namespace dspm

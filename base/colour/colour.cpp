@@ -55,9 +55,7 @@ Colour Colour::of(const Rgb& c, ColourSpace space, SpectrumRole role) {
   // Whoever carries light multiplies by the luminance of its colour, which clamping has raised.
   const float scale = role == SpectrumRole::albedo ? 1 : strength / luminance(clamped);
   const SmoothSpectrum smooth(beyond / strength, {});
-  SpectrumByNm::Values values;
-  for (int nm = kFirstNm; nm <= kLastNm; ++nm) values[static_cast<std::size_t>(nm - kFirstNm)] = scale * smooth.at(nm);
-  return {clamped, std::make_shared<const SpectrumByNm>(values)};
+  return {clamped, std::make_shared<const SpectrumByNm>([&](int nm) { return scale * smooth.at(nm); })};
 }
 
 }  // namespace dspm

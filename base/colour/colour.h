@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <concepts>
+#include <cstddef>
 #include <memory>
 
 #include "dspm/base/colour/colour_space.h"
@@ -15,13 +17,16 @@ class SpectrumByNm {
  public:
   /// Reflectances are clamped to 0..1. Light has a luminance of 1.
   SpectrumByNm(const SpectralCurve& curve, SpectrumRole role);
-  using Values = std::array<float, kLastNm - kFirstNm + 1>;
-  explicit SpectrumByNm(const Values& values) : values_(values) {}
+  /// Takes at(nm) as it is.
+  template <std::invocable<int> At>
+  explicit SpectrumByNm(At&& at) {
+    for (int nm = kFirstNm; nm <= kLastNm; ++nm) values_[static_cast<std::size_t>(nm - kFirstNm)] = at(nm);
+  }
   float at(int nm) const { return values_[static_cast<std::size_t>(nm - kFirstNm)]; }
   friend bool operator==(const SpectrumByNm&, const SpectrumByNm&) = default;
 
  private:
-  Values values_;
+  std::array<float, kLastNm - kFirstNm + 1> values_;
 };
 
 struct Colour {

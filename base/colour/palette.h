@@ -33,6 +33,10 @@ class Palette {
   /// Returns what a path carries of light, which may be of any strength: what it carries of a reflectance of half the
   /// strength, times two, as in pbrt-v4.
   Spectrum light(const Rgb& c) const { return is_rgb() ? Spectrum(c.r, c.g, c.b) : smooth(c, 2 * max_component(c)); }
+  /// The same of a multiple of light with a spectrum; null: the colour says all.
+  Spectrum light(const Rgb& c, const SpectrumByNm* spectrum) const {
+    return is_rgb() || spectrum == nullptr ? light(c) : at_its(*spectrum) * dspm::luminance(c);
+  }
   /// Returns what a path sees of absorption or scattering per unit of length. This is linear and never negative, so that of
   /// a bound is a bound.
   Spectrum per_length(const Rgb& c) const { return is_rgb() ? Spectrum(c.r, c.g, c.b) : blended(c); }

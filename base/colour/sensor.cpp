@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 #include <stdexcept>
+#include <vector>
 
 #include "dspm/base/colour/smooth_spectra.h"
 #include "dspm/base/colour/spectrum_tables.h"
@@ -95,12 +96,6 @@ std::shared_ptr<const Sensor> named_sensor(std::string_view name) {
     return std::make_shared<const Sensor>(responses);
   }
   return nullptr;
-}
-
-std::vector<std::string> sensor_names() {
-  std::vector<std::string> names;
-  for (const SensorTable& table : sensor_tables()) names.emplace_back(table.name);
-  return names;
 }
 
 }  // namespace dspm

@@ -6,9 +6,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "dspm/base/colour/spectral_curve.h"
 
@@ -32,6 +30,5 @@ class Sensor {
 
 /// Measured sensors by pbrt's names; null if nobody has that name.
 std::shared_ptr<const Sensor> named_sensor(std::string_view name);
-std::vector<std::string> sensor_names();
 
 }  // namespace dspm

@@ -29,8 +29,7 @@ namespace dspm {
 struct MaterialLight {
   Rgb radiance;
   std::shared_ptr<const EmissionPattern> pattern = nullptr;  // null: the same everywhere
-  std::shared_ptr<const SpectrumByNm> spectrum =
-      nullptr;  // whose colour is that of the radiance, if it is given as one
+  std::shared_ptr<const SpectrumByNm> spectrum = nullptr;    // of the radiance; null: its colour says all
   bool is_dark() const { return is_black(radiance); }
   Rgb at(const SurfacePoint& point) const { return pattern ? radiance * pattern->at(point) : radiance; }
 };
