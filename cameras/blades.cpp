@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/sampling.h"
 
 namespace dspm {
@@ -13,8 +14,8 @@ Vec2 in_polygon(int corners, float rotation, Vec2 u) {
   const float wedge = std::min(std::floor(u.x * static_cast<float>(corners)), static_cast<float>(corners - 1));
   const float out = std::sqrt(std::clamp(u.x * static_cast<float>(corners) - wedge, 0.f, 1.f));
   const float half = kPi / static_cast<float>(corners), middle = rotation + 2 * half * wedge;
-  const Vec2 first{std::cos(middle - half), std::sin(middle - half)};
-  const Vec2 second{std::cos(middle + half), std::sin(middle + half)};
+  const Vec2 first{rounded::cos(middle - half), rounded::sin(middle - half)};
+  const Vec2 second{rounded::cos(middle + half), rounded::sin(middle + half)};
   return (first * (1 - u.y) + second * u.y) * out;
 }
 

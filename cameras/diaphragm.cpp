@@ -5,13 +5,14 @@
 #include <stdexcept>
 
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/rounded.h"
 
 namespace dspm {
 namespace {
 
 Vec2 on_circle(float radius, float degrees) {
   const float angle = degrees * (kPi / 180);
-  return {radius * std::cos(angle), radius * std::sin(angle)};
+  return {radius * rounded::cos(angle), radius * rounded::sin(angle)};
 }
 
 float area_of(const std::vector<Vec2>& corners) {
@@ -32,7 +33,7 @@ std::vector<Vec2> pentagon() {
 
 // Five points of radius 1, and between them the corners of the pentagon within.
 std::vector<Vec2> star() {
-  const float inner = std::cos(kPi * 0.4f) / std::cos(kPi * 0.2f);
+  const float inner = rounded::cos(kPi * 0.4f) / rounded::cos(kPi * 0.2f);
   std::vector<Vec2> corners;
   for (int i = 0; i < 10; ++i) corners.push_back(on_circle(i % 2 == 1 ? 1 : inner, -36 * static_cast<float>(i)));
   return corners;
@@ -43,7 +44,7 @@ std::vector<Vec2> star() {
 std::optional<Diaphragm> Diaphragm::named(std::string_view name) {
   Diaphragm d;
   if (name == "gaussian") {
-    d.kind_ = Kind::gaussian, d.scale_ = 1 / (1 - 2 / std::exp(1.f));  // pi over the integral on the disk
+    d.kind_ = Kind::gaussian, d.scale_ = 1 / (1 - 2 / rounded::exp(1.f));  // pi over the integral on the disk
   } else if (name == "square") {
     d.kind_ = Kind::square, d.scale_ = kPi;
   } else if (name == "pentagon" || name == "star") {
@@ -74,7 +75,7 @@ float Diaphragm::share(Vec2 place) const {
   const float r2 = place.x * place.x + place.y * place.y;
   switch (kind_) {
     case Kind::circle: return r2 <= 1 ? 1 : 0;
-    case Kind::gaussian: return r2 < 1 ? scale_ * (std::exp(-r2) - std::exp(-1.f)) : 0;
+    case Kind::gaussian: return r2 < 1 ? scale_ * (rounded::exp(-r2) - rounded::exp(-1.f)) : 0;
     case Kind::square: return std::max(std::abs(place.x), std::abs(place.y)) <= 0.5f ? scale_ : 0;
     case Kind::polygon: return is_in_polygon(place) ? scale_ : 0;
     case Kind::picture: return scale_ * of_picture(place);
@@ -84,7 +85,7 @@ float Diaphragm::share(Vec2 place) const {
 
 float Diaphragm::reach() const {
   if (kind_ != Kind::picture) return 1;
-  return std::hypot(1 + 1 / static_cast<float>(width_), 1 + 1 / static_cast<float>(height_));
+  return rounded::hypot(1 + 1 / static_cast<float>(width_), 1 + 1 / static_cast<float>(height_));
 }
 
 bool Diaphragm::is_in_polygon(Vec2 p) const {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dspm/base/math/rounded.h"
+
 namespace dspm {
 namespace {
 
@@ -74,7 +76,7 @@ ExitPupil::ExitPupil(const LensSystem& shaped, float film_radius)
 }
 
 std::optional<ExitPupil::Sample> ExitPupil::sample(Vec2 film, Vec2 u) const {
-  const float radius = std::hypot(film.x, film.y);
+  const float radius = rounded::hypot(film.x, film.y);
   const auto ring = static_cast<std::size_t>(std::min(radius / ring_width_, static_cast<float>(kRings - 1)));
   const Box& box = rings_[ring];
   if (box.empty()) return std::nullopt;

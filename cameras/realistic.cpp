@@ -28,6 +28,7 @@
 #include <utility>
 
 #include "dspm/base/math/ray.h"
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/base/system/plain_text.h"
@@ -46,13 +47,13 @@ struct FilmSize {
 
   explicit FilmSize(const CameraContext& context)
       : pixels{static_cast<float>(context.width), static_cast<float>(context.height)} {
-    size = pixels * (context.film_diagonal / std::hypot(pixels.x, pixels.y));
+    size = pixels * (context.film_diagonal / rounded::hypot(pixels.x, pixels.y));
   }
   /// Returns the place on the film; a lens turns its image by half a turn.
   Vec2 at(Vec2 film) const { return {(0.5f - film.x / pixels.x) * size.x, (film.y / pixels.y - 0.5f) * size.y}; }
   Vec2 pixel() const { return {size.x / pixels.x, size.y / pixels.y}; }
   /// The largest distance from the axis, including what a pixel's filter reaches beyond the edge.
-  float radius() const { return std::hypot(size.x, size.y) / 2 + 8 * pixel().x; }
+  float radius() const { return rounded::hypot(size.x, size.y) / 2 + 8 * pixel().x; }
   friend bool operator==(const FilmSize&, const FilmSize&) = default;
 };
 

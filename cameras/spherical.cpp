@@ -17,6 +17,7 @@
 #include <cmath>
 
 #include "dspm/base/math/ray.h"
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/sphere_mapping.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
@@ -66,7 +67,7 @@ class Spherical final : public Camera {
     // A filter reaches across an edge to the other side of the picture, where a light path would miss it.
     const float inside = std::min(std::min(film.x, width_ - film.x), std::min(film.y, height_ - film.y));
     if (inside < kWidestFilter) return std::nullopt;
-    const float sine = std::hypot(w.x, w.y);
+    const float sine = rounded::hypot(w.x, w.y);
     const float per_angle = mapping_ == SphereMapping::equal_area ? 1 / (4 * kPi) : 1 / (2 * kPi * kPi * sine);
     return carried_across(to_world_, film, local, {}, per_angle * width_ * height_ / distance2);
   }

@@ -4,8 +4,8 @@
 set(public_headers
   accel/accel.h
   base/colour/colour_space.h base/colour/colour.h base/colour/componentwise.h base/colour/palette.h base/colour/rgb.h base/colour/spectral_curve.h base/colour/spectrum.h base/colour/wavelength.h
-  base/math/bins.h base/math/frame_array.h base/math/frames.h base/math/owen.h base/math/ray.h base/math/rng.h
-  base/math/sampling.h base/math/simd.h
+  base/math/bins.h base/math/bits.h base/math/distribution.h base/math/elementary.h base/math/frame_array.h base/math/frames.h
+  base/math/owen.h base/math/ray.h base/math/rng.h base/math/rounded.h base/math/sampling.h base/math/simd.h
   base/math/transform.h base/math/vec.h base/math/vertex_data.h
   base/params/errors.h base/params/params.h base/params/registry.h
   base/system/cancellation.h base/system/files_read.h base/system/parallel.h base/system/state_stream.h
@@ -38,7 +38,7 @@ set(toolkit_headers
   accel/box_ray.h accel/cut_query.h accel/hits.h accel/meet.h
   base/colour/spectrum_lanes.h
   base/grid/buffer.h base/grid/point_grid.h base/grid/points_within.h
-  base/math/frame_lanes.h base/math/rounded.h
+  base/math/frame_lanes.h
   cameras/blades.h cameras/projection.h
   integrators/guiding/emission_of_file.h integrators/guiding/file_sample.h integrators/guiding/learn_direct.h
   integrators/guiding/learn_emission.h integrators/guiding/pilot_paths.h

@@ -5,25 +5,26 @@
 #include <cmath>
 
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/rounded.h"
 
 namespace dspm {
 
 float srgb_to_linear(float encoded) {
   const float v = std::abs(encoded);
-  const float linear = v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+  const float linear = v <= 0.04045f ? v / 12.92f : rounded::pow((v + 0.055f) / 1.055f, 2.4f);
   return std::copysign(linear, encoded);
 }
 
 float linear_to_srgb(float linear) {
   const float v = std::abs(linear);
-  const float encoded = v <= 0.0031308f ? v * 12.92f : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f;
+  const float encoded = v <= 0.0031308f ? v * 12.92f : 1.055f * rounded::pow(v, 1 / 2.4f) - 0.055f;
   return std::copysign(encoded, linear);
 }
 
 float decode(ColorEncoding encoding, float encoded) {
   switch (encoding.kind) {
     case ColorEncoding::Kind::srgb: return srgb_to_linear(encoded);
-    case ColorEncoding::Kind::gamma: return std::copysign(std::pow(std::abs(encoded), encoding.exponent), encoded);
+    case ColorEncoding::Kind::gamma: return std::copysign(rounded::pow(std::abs(encoded), encoding.exponent), encoded);
     case ColorEncoding::Kind::automatic:
     case ColorEncoding::Kind::linear: break;
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/system/parallel.h"
 
@@ -52,8 +53,9 @@ std::vector<Vec3> gaussian(float sigma) {
   const float golden = kPi * (3 - std::sqrt(5.f));
   for (int i = 0; i < kDirections; ++i) {
     const float u = (static_cast<float>(i) + 0.5f) / kDirections, phi = static_cast<float>(i) * golden;
-    const float theta = std::min(kPi, sigma * std::sqrt(-2 * std::log(1 - u)));
-    directions.push_back({std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)});
+    const float theta = std::min(kPi, sigma * std::sqrt(-2 * rounded::log(1 - u)));
+    directions.push_back(
+        {rounded::sin(theta) * rounded::cos(phi), rounded::sin(theta) * rounded::sin(phi), rounded::cos(theta)});
   }
   return directions;
 }

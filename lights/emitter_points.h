@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "dspm/base/colour/rgb.h"
-#include "dspm/base/math/sampling.h"
+#include "dspm/base/math/distribution.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/lights/emitter_sight.h"
 #include "dspm/shapes/placed_shape.h"

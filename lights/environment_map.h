@@ -10,7 +10,7 @@
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/bins.h"
-#include "dspm/base/math/sampling.h"
+#include "dspm/base/math/distribution.h"
 #include "dspm/base/math/sphere_mapping.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/image/image.h"

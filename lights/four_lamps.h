@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/simd.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/lights/light_bounds.h"
@@ -35,8 +36,8 @@ class FourLamps {
     const Vec3 center = bounds.box.center();
     for (int axis = 0; axis < 3; ++axis) center_[axis][lane] = center[axis], axis_[axis][lane] = bounds.axis[axis];
     radius2_[lane] = 0.25f * length2(bounds.box.extent());
-    cos_spread_[lane] = std::cos(bounds.spread), sin_spread_[lane] = std::max(0.f, std::sin(bounds.spread));
-    cos_reach_[lane] = std::cos(bounds.reach);
+    cos_spread_[lane] = rounded::cos(bounds.spread), sin_spread_[lane] = std::max(0.f, rounded::sin(bounds.spread));
+    cos_reach_[lane] = rounded::cos(bounds.reach);
     intensity_[lane] = static_cast<float>(std::clamp(intensity, double{FLT_MIN}, double{FLT_MAX}));
     one_sided_[lane] = bounds.two_sided ? 0.f : -0.f;
   }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "dspm/base/colour/rgb.h"
-#include "dspm/base/math/sampling.h"
+#include "dspm/base/math/distribution.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/image/image.h"
 #include "dspm/lights/emission_picture.h"

@@ -61,9 +61,7 @@ class Spot final : public Light {
     const float share = share_of_inner();
     const float versine =
         u.x < share ? inner_ * (u.x / share) : outer_ - (outer_ - inner_) * sample_falloff((u.x - share) / (1 - share));
-    const float sine = std::sqrt(versine * (2 - versine)), phi = 2 * kPi * u.y;
-    const Vec3 local{sine * std::cos(phi), sine * std::sin(phi), 1 - versine};
-    const Vec3 w = normalize(basis_.to_world(local));
+    const Vec3 w = normalize(basis_.to_world(direction_at_height(1 - versine, versine * (2 - versine), u.y)));
     return Emission{{p_, w}, power(), pdf(w)};
   }
 

@@ -153,7 +153,8 @@ Kernel balanced(Kernel weights, double total) {
 std::vector<float> lengths(const Plane& plane, const Kernel& derivative, const Kernel& smooth) {
   const Plane x = filtered(plane, derivative, smooth), y = filtered(plane, smooth, derivative);
   std::vector<float> result;
-  for (std::size_t i = 0; i < x.values.size(); ++i) result.push_back(std::hypot(x.values[i], y.values[i]));
+  for (std::size_t i = 0; i < x.values.size(); ++i)
+    result.push_back(std::sqrt(x.values[i] * x.values[i] + y.values[i] * y.values[i]));
   return result;
 }
 

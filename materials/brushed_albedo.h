@@ -93,7 +93,7 @@ class BrushedAlbedo {
   static Vec3 direction(float cos, int turn, const Ggx& facets) {
     const float angle = static_cast<float>(turn) / (kTurns - 1) * kPi / 2;
     const Vec2 alpha = facets.alpha();
-    const float x = std::cos(angle) / std::sqrt(alpha.x), y = std::sin(angle) / std::sqrt(alpha.y);
+    const float x = rounded::cos(angle) / std::sqrt(alpha.x), y = rounded::sin(angle) / std::sqrt(alpha.y);
     const float scale = std::sqrt((1 - cos * cos) / (x * x + y * y));
     return {x * scale, y * scale, cos};
   }
@@ -105,7 +105,8 @@ class BrushedAlbedo {
       for (int j = 0; j < kAround; ++j) {
         const float cos = (static_cast<float>(i) + 0.5f) / kUp;
         const float phi = (static_cast<float>(j) + 0.5f) / kAround * kPi / 2;
-        sum += static_cast<double>(cos * in_row(narrow, row, cos, turn({std::cos(phi), std::sin(phi), 0}, alpha)));
+        sum +=
+            static_cast<double>(cos * in_row(narrow, row, cos, turn({rounded::cos(phi), rounded::sin(phi), 0}, alpha)));
       }
     return static_cast<float>(2 * sum / (kUp * kAround));
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/materials/boundary_tables.h"
@@ -22,7 +23,7 @@ struct Coat {
   std::shared_ptr<const BrushedAlbedo> brushed = nullptr;  // of what it mirrors; null: equally rough in both directions
   bool loses = false;  // what meets two facets, and in its thickness, as pbrt's does
 
-  float left(float cos) const { return std::exp(-thickness / std::max(cos, 1e-6f)); }
+  float left(float cos) const { return rounded::exp(-thickness / std::max(cos, 1e-6f)); }
 
   /// Returns the share of light from outside that reaches the base, or of diffuse light from the base that leaves this
   /// way.

@@ -33,6 +33,7 @@
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/colour/spectrum.h"
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/sampling.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
@@ -215,7 +216,7 @@ class CoatedDiffuseMaterial final : public Material {
     Spectrum base;
     for (int c = 0; c < 3; ++c) {
       const float again = a[c] * back;
-      const float sum = again < 1 ? (1 - std::pow(again, static_cast<float>(walk_.visits))) / (1 - again)
+      const float sum = again < 1 ? (1 - rounded::pow(again, static_cast<float>(walk_.visits))) / (1 - again)
                                   : static_cast<float>(walk_.visits);
       base[c] = a[c] * sum / (kPi * coat_.eta * coat_.eta);
     }

@@ -28,7 +28,7 @@ inline float log_bessel_i0(float x) {
   constexpr float kBorder = 3.75f;
   if (x < kBorder) {
     const float t = x * x / (kBorder * kBorder);
-    return std::log(
+    return rounded::log(
         1 +
         t * (3.5156229f + t * (3.0899424f + t * (1.2067492f + t * (0.2659732f + t * (0.0360768f + t * 0.0045813f))))));
   }
@@ -40,23 +40,24 @@ inline float log_bessel_i0(float x) {
                 t * (-0.00157565f +
                      t * (0.00916281f +
                           t * (-0.02057706f + t * (0.02635537f + t * (-0.01647633f + t * 0.00392377f)))))));
-  return x + std::log(series / std::sqrt(x));
+  return x + rounded::log(series / std::sqrt(x));
 }
 
 /// Scattering along the fibre with variance v: a density over directions by cos(theta) dtheta that tends to
 /// -theta_o.
 class Longitudinal {
  public:
-  explicit Longitudinal(float v) : v_(v), log_scale_(-std::log(v) - 1 / v - rounded::log1p(-std::exp(-2 / v))) {}
+  explicit Longitudinal(float v)
+      : v_(v), log_scale_(-rounded::log(v) - 1 / v - rounded::log1p(-rounded::exp(-2 / v))) {}
 
   /// Returns 1 / (2 v sinh(1 / v)) e^(-sin sin / v) I0(cos cos / v), where 2 sinh(x) = e^x (1 - e^-2x).
   float density(float sin_o, float cos_o, float sin_i, float cos_i) const {
-    return std::exp(log_bessel_i0(cos_o * cos_i / v_) - sin_o * sin_i / v_ + log_scale_);
+    return rounded::exp(log_bessel_i0(cos_o * cos_i / v_) - sin_o * sin_i / v_ + log_scale_);
   }
   /// Returns sin(theta_i).
   float sample(float sin_o, float cos_o, Vec2 u) const {
-    const float cos = std::max(-1.f, 1 + v_ * std::log(u.x + (1 - u.x) * std::exp(-2 / v_)));
-    return std::clamp(-cos * sin_o + cos_of(cos) * std::cos(2 * kPi * u.y) * cos_o, -1.f, 1.f);
+    const float cos = std::max(-1.f, 1 + v_ * rounded::log(u.x + (1 - u.x) * rounded::exp(-2 / v_)));
+    return std::clamp(-cos * sin_o + cos_of(cos) * rounded::cos(2 * kPi * u.y) * cos_o, -1.f, 1.f);
   }
 
  private:
@@ -71,16 +72,16 @@ class Azimuthal {
   /// Returns the density at an angle from the middle of the distribution.
   float density(float angle) const {
     angle -= 2 * kPi * std::floor((angle + kPi) / (2 * kPi));
-    const float e = std::exp(-std::abs(angle) / s_);
+    const float e = rounded::exp(-std::abs(angle) / s_);
     return e / (s_ * (1 + e) * (1 + e) * span_);
   }
   float sample(float u) const {
-    const float x = -s_ * std::log(1 / (u * span_ + low_) - 1);
+    const float x = -s_ * rounded::log(1 / (u * span_ + low_) - 1);
     return std::clamp(x, -kPi, kPi);
   }
 
  private:
-  float cumulative(float x) const { return 1 / (1 + std::exp(-x / s_)); }
+  float cumulative(float x) const { return 1 / (1 + rounded::exp(-x / s_)); }
   float s_, low_, span_;
 };
 
@@ -95,7 +96,7 @@ struct FibrePassage {
     const float sin_gamma_t = bravais > 0 ? std::clamp(h / bravais, -1.f, 1.f) : 0, cos_t = cos_of(sin_t);
     gamma_o = rounded::asin(std::clamp(h, -1.f, 1.f)), gamma_t = rounded::asin(sin_gamma_t);
     const float way = cos_t > 0 ? 2 * cos_of(sin_gamma_t) / cos_t : 0;
-    const Spectrum passed = map(sigma_a, [way](float sigma) { return std::exp(-sigma * way); });
+    const Spectrum passed = map(sigma_a, [way](float sigma) { return rounded::exp(-sigma * way); });
     const float mirrored = fresnel_dielectric(cos_o * cos_of(h), eta);
     attenuation[0] = Spectrum(mirrored);
     attenuation[1] = (1 - mirrored) * (1 - mirrored) * passed;

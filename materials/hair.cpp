@@ -159,7 +159,8 @@ class Hair final : public Bsdf {
     const float turn =
         p == kFibrePaths ? 2 * kPi * rest : out.passage.turn(static_cast<int>(p)) + Azimuthal(look_.s).sample(rest);
     const float phi = out.w.phi + turn;
-    return along_ * sin + cross(ns_, along_) * (cos * std::cos(phi)) + ns_ * (cos * std::sin(phi));
+    const rounded::SinCos around = rounded::sin_cos(phi);
+    return along_ * sin + cross(ns_, along_) * (cos * around.cos) + ns_ * (cos * around.sin);
   }
 
   Vec3 along_, ns_, ng_;
@@ -177,19 +178,19 @@ Spectrum absorption_of(const Spectrum& colour, float beta_n) {
       5.969f + beta_n * (-0.215f + beta_n * (2.532f + beta_n * (-10.73f + beta_n * (5.574f + beta_n * 0.245f))));
   Spectrum sigma;
   for (int c = 0; c < 3; ++c) {
-    const float root = std::log(std::clamp(colour[c], kDarkest, 1.f)) / fit;
+    const float root = rounded::log(std::clamp(colour[c], kDarkest, 1.f)) / fit;
     sigma[c] = root * root;
   }
   return sigma;
 }
 
 float variance_of(float beta_m) {
-  const float root = 0.726f * beta_m + 0.812f * beta_m * beta_m + 3.7f * std::pow(beta_m, 20.f);
+  const float root = 0.726f * beta_m + 0.812f * beta_m * beta_m + 3.7f * rounded::pow(beta_m, 20.f);
   return root * root;
 }
 float scale_of(float beta_n) {
   constexpr float kRootOfPiOver8 = 0.626657069f;
-  return kRootOfPiOver8 * (0.265f * beta_n + 1.194f * beta_n * beta_n + 5.372f * std::pow(beta_n, 22.f));
+  return kRootOfPiOver8 * (0.265f * beta_n + 1.194f * beta_n * beta_n + 5.372f * rounded::pow(beta_n, 22.f));
 }
 
 class HairMaterial final : public Material {
@@ -202,7 +203,7 @@ class HairMaterial final : public Material {
                 beta_n = std::clamp(beta_n_->evaluate(at), kSmoothest, 1.f), tilt = alpha_->evaluate(at) * (kPi / 180);
     return slot.emplace<Hair>(point, FibreLook{sigma_a(at, beta_n), std::clamp(2 * point.uv.y - 1, -1.f, 1.f),
                                                std::max(eta_->evaluate(at), kLeastEta), variance_of(beta_m),
-                                               scale_of(beta_n), std::sin(tilt), std::cos(tilt)});
+                                               scale_of(beta_n), rounded::sin(tilt), rounded::cos(tilt)});
   }
 
  private:

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/facet_albedo.h"
 #include "dspm/materials/microfacet.h"
@@ -24,7 +25,7 @@ std::size_t elevation_of(float cos) {
 }
 /// Returns the share of diffuse light that leaves by this elevation.
 float diffuse_share(std::size_t k) {
-  const auto below = [](std::size_t i) { return std::pow(static_cast<float>(i) / kCosines, 4.f); };
+  const auto below = [](std::size_t i) { return rounded::pow(static_cast<float>(i) / kCosines, 4.f); };
   return below(k + 1) - below(k);
 }
 

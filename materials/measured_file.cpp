@@ -71,7 +71,7 @@ BilinearWarp warp_of(const Tables& tables, const std::string& name, const GridPa
 }
 
 // The tables' coordinates: roots of angles to the normal, so that nodes are densest around it; and turns.
-float root_of_angle(const Vec3& w) { return std::sqrt(rounded::atan2(std::hypot(w.x, w.y), w.z) * (2 / kPi)); }
+float root_of_angle(const Vec3& w) { return std::sqrt(rounded::atan2(rounded::hypot(w.x, w.y), w.z) * (2 / kPi)); }
 float azimuth(const Vec3& w) { return rounded::atan2(w.y, w.x); }
 float turn_of_azimuth(float phi) { return phi / (2 * kPi) + 0.5f; }
 
@@ -155,7 +155,7 @@ float MeasuredFile::measure_alpha() const {
     const GridPlace at({x, 0}, facets_.width, facets_.height);
     const auto column = static_cast<std::size_t>(at.x);
     integral += std::lerp(mean[column], mean[column + 1], double{at.tx}) *
-                double{std::cos(angle) * solid_angle(x, std::sin(angle))} / kSteps;
+                double{rounded::cos(angle) * solid_angle(x, rounded::sin(angle))} / kSteps;
   }
   const double peak = *std::max_element(facets_.values.begin(), facets_.values.end());
   const double alpha = peak > 0 ? std::sqrt(integral / (peak * std::acos(-1.))) : 1;
@@ -189,7 +189,7 @@ Spectrum MeasuredFile::f(const Vec3& wo, const Vec3& wi, const Palette& palette)
 float MeasuredFile::density(const Vec3& wo, const Vec3& wi) const {
   const Facet facet(*this, wo, wi);
   const BilinearWarp::Point warped = visible_.invert(facet.at, facet.mix);
-  const float sine = std::hypot(facet.m.x, facet.m.y);
+  const float sine = rounded::hypot(facet.m.x, facet.m.y);
   return luminance_.density(warped.p, facet.mix) * warped.density /
          (solid_angle(facet.at.x, sine) * 4 * std::max(dot(wo, facet.m), 1e-9f));
 }
@@ -199,7 +199,7 @@ Vec3 MeasuredFile::sample(const Vec3& wo, const Vec2& u) const {
   const GridMix mix = parameters_.at(phi_o, rounded::acos(std::min(wo.z, 1.f)));
   const Vec2 at = visible_.sample(luminance_.sample(u, mix).p, mix).p;
   const float angle = at.x * at.x * kPi / 2, phi = (2 * at.y - 1) * kPi + (is_isotropic_ ? phi_o : 0);
-  const Vec3 m{std::sin(angle) * std::cos(phi), std::sin(angle) * std::sin(phi), std::cos(angle)};
+  const Vec3 m{rounded::sin(angle) * rounded::cos(phi), rounded::sin(angle) * rounded::sin(phi), rounded::cos(angle)};
   return normalize(m * (2 * dot(wo, m)) - wo);
 }
 

@@ -8,6 +8,7 @@
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/colour/spectrum.h"
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 
 namespace dspm {
@@ -112,7 +113,7 @@ Absorption::Absorption(ParamReader& reader)
 
 Spectrum Absorption::of(const Spectrum& left) const {
   constexpr float kDarkest = 1e-30f;
-  return map(clamped_albedo(left), [&](float c) { return -std::log(std::max(c, kDarkest)) / distance_; });
+  return map(clamped_albedo(left), [&](float c) { return -rounded::log(std::max(c, kDarkest)) / distance_; });
 }
 
 std::optional<int> read_priority(ParamReader& reader) {

@@ -17,6 +17,7 @@
 #include <filesystem>
 
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/normal_map.h"
 #include "dspm/materials/parameters.h"
@@ -54,7 +55,7 @@ class Bump final : public Relief {
  private:
   Vec3 raised(const SurfacePoint& point, const Tangent& tangent, float height) const {
     constexpr float kFar = 0.0005f;  // in texture coordinates, as in pbrt
-    const float turn = std::hypot(tangent.uv.x, tangent.uv.y), step = turn > 0 ? kFar / turn : kFar;
+    const float turn = rounded::hypot(tangent.uv.x, tangent.uv.y), step = turn > 0 ? kFar / turn : kFar;
     SurfacePoint moved = point;
     moved.p = point.p + tangent.p * step;
     moved.uv = {point.uv.x + tangent.uv.x * step, point.uv.y + tangent.uv.y * step};

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/albedo_table.h"
 
@@ -21,18 +22,18 @@ class Sheen {
   float f(const Vec3& wo, const Vec3& wi) const {
     const Vec3 m = normalize(wo + wi);
     const float sine = std::sqrt(std::max(0.f, 1 - m.z * m.z));
-    const float density = (2 + 1 / alpha_) * std::pow(sine, 1 / alpha_) / (2 * kPi);
+    const float density = (2 + 1 / alpha_) * rounded::pow(sine, 1 / alpha_) / (2 * kPi);
     return density / ((1 + lambda(wo.z) + lambda(wi.z)) * 4 * wo.z * wi.z);
   }
 
  private:
   float lambda(float cos) const {
-    return std::exp(cos < 0.5f ? exponent(cos) : 2 * exponent(0.5f) - exponent(1 - cos));
+    return rounded::exp(cos < 0.5f ? exponent(cos) : 2 * exponent(0.5f) - exponent(1 - cos));
   }
   float exponent(float x) const {
     const float t = (1 - alpha_) * (1 - alpha_);
     const auto fitted = [&](float rough, float smooth) { return rough + t * (smooth - rough); };
-    return fitted(21.5473f, 25.3245f) / (1 + fitted(3.82987f, 3.32435f) * std::pow(x, fitted(0.19823f, 0.16801f))) +
+    return fitted(21.5473f, 25.3245f) / (1 + fitted(3.82987f, 3.32435f) * rounded::pow(x, fitted(0.19823f, 0.16801f))) +
            fitted(-1.97760f, -1.27393f) * x + fitted(-4.32054f, -4.85967f);
   }
 

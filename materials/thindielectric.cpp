@@ -13,6 +13,7 @@
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/colour/spectrum.h"
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/materials/fresnel.h"
@@ -70,7 +71,7 @@ class ThinDielectric final : public Bsdf {
   Spectrum for_each_colour(float cos_o, float r, Fn&& fn) const {
     if (r >= 1) return Spectrum(fn(0.f));
     const float cos_inside = std::sqrt(1 - (1 - cos_o * cos_o) / (eta_ * eta_));
-    const auto crossed = [&](float tint) { return tint == 1 ? 1 : std::pow(tint, 1 / cos_inside); };
+    const auto crossed = [&](float tint) { return tint == 1 ? 1 : rounded::pow(tint, 1 / cos_inside); };
     return map(tint_, [&](float tint) { return fn(crossed(tint)); });
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "dspm/base/colour/spectral_curve.h"
+#include "dspm/base/math/rounded.h"
 
 namespace dspm {
 namespace {
@@ -13,7 +14,7 @@ constexpr float kColdest = 100, kHottest = 40'000;  // kelvin
 constexpr int kSteps = 512;                         // of the table, even in the logarithm
 
 float kelvin_of(int step) {
-  return kColdest * std::pow(kHottest / kColdest, static_cast<float>(step) / static_cast<float>(kSteps - 1));
+  return kColdest * rounded::pow(kHottest / kColdest, static_cast<float>(step) / static_cast<float>(kSteps - 1));
 }
 
 /// pbrt's film takes the sum of a spectrum's values times the observer's, and a light's radiance has a luminance of 1: what
@@ -41,8 +42,8 @@ Glow::Glow(ParamReader& reader)
 Rgb Glow::at(float temperature) const {
   const float kelvin = (temperature - offset_) * scale_;
   if (!(kelvin > kColdest)) return {};
-  const float place =
-      std::log(std::min(kelvin, kHottest) / kColdest) / std::log(kHottest / kColdest) * static_cast<float>(kSteps - 1);
+  const float place = rounded::log(std::min(kelvin, kHottest) / kColdest) / rounded::log(kHottest / kColdest) *
+                      static_cast<float>(kSteps - 1);
   const int below = std::min(static_cast<int>(place), kSteps - 2);
   const float rest = place - static_cast<float>(below);
   const auto& colours = table();

@@ -13,6 +13,7 @@
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/ray.h"
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/media/medium.h"
 
@@ -90,7 +91,7 @@ bool TentativeCollisions::advance(float end, Number&& number) {
       enter();
     }
     if (t_ >= t_out_) break;
-    if (left_ < 0) left_ = -std::log(1 - number());
+    if (left_ < 0) left_ = -rounded::log(1 - number());
     const float stop = std::min(t_cell_, end), dense = rate(), ahead = dense > 0 ? dense * (stop - t_) : 0;
     if (left_ < ahead) {
       pass(std::min(t_ + left_ / dense, stop));

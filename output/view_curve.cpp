@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dspm/base/colour/colour_space.h"
+#include "dspm/base/math/rounded.h"
 #include "dspm/image/encoding.h"
 
 namespace dspm {
@@ -47,8 +48,8 @@ constexpr float kGrey = 0.18f, kStopsBelow = 10, kStopsAbove = 6.5f;
 float agx_sigmoid(float x) {
   constexpr float kPivot = kStopsBelow / (kStopsBelow + kStopsAbove), kSlope = 2, kToe = 3, kShoulder = 3.25f;
   const float power = x < kPivot ? kToe : kShoulder, reach = x < kPivot ? kPivot : 1 - kPivot;
-  const float bend = (std::pow(2 * kSlope * reach, power) - 1) / std::pow(reach, power);
-  return 0.5f + kSlope * (x - kPivot) / std::pow(1 + bend * std::pow(std::abs(x - kPivot), power), 1 / power);
+  const float bend = (rounded::pow(2 * kSlope * reach, power) - 1) / rounded::pow(reach, power);
+  return 0.5f + kSlope * (x - kPivot) / rounded::pow(1 + bend * rounded::pow(std::abs(x - kPivot), power), 1 / power);
 }
 
 /// [ASC CDL 1.2] Slope, power and saturation of a look; no look of AgX has an offset.
@@ -60,7 +61,7 @@ struct Look {
 constexpr Look kPunchy = {Rgb(1), 1.35f, 1.4f}, kGolden = {Rgb(1, 0.9f, 0.5f), 0.8f, 0.8f};
 
 Rgb with_look(const Rgb& colour, const Look& look) {
-  const Rgb c = each(look.slope * colour, [&](float v) { return std::pow(std::max(v, 0.f), look.power); });
+  const Rgb c = each(look.slope * colour, [&](float v) { return rounded::pow(std::max(v, 0.f), look.power); });
   const float grey = 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b;
   return Rgb(grey) + look.saturation * (c - Rgb(grey));
 }
@@ -69,7 +70,7 @@ Rgb with_look(const Rgb& colour, const Look& look) {
 /// on. A look comes before the outset, as in Wrensch's.
 Rgb agx(const Rgb& radiance, const Look* look = nullptr) {
   Rgb bent = each(kInset * radiance, [](float v) {
-    const float stops = std::log2(std::max(v / kGrey, 1e-10f));
+    const float stops = rounded::log2(std::max(v / kGrey, 1e-10f));
     return agx_sigmoid(std::clamp((stops + kStopsBelow) / (kStopsBelow + kStopsAbove), 0.f, 1.f));
   });
   if (look != nullptr) bent = with_look(bent, *look);

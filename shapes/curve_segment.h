@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "dspm/base/math/ray.h"
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/shapes/double_vec.h"
 
@@ -87,7 +88,7 @@ struct ProjectedCurve {
   }
 
   Vec2 at(float u) const { return {polynomial(x, u), polynomial(y, u)}; }
-  float length_of_tangent(float u) const { return std::hypot(derivative(x, u), derivative(y, u)); }
+  float length_of_tangent(float u) const { return rounded::hypot(derivative(x, u), derivative(y, u)); }
 
   /// Returns Newton's step towards the nearest place between two others.
   float nearer(float u, float low, float high) const {

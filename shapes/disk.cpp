@@ -12,6 +12,7 @@
 // u runs around z from the x axis, v from the rim inward. [Pharr, Jakob, Humphreys, Physically Based
 // Rendering, 6.4]
 #include "dspm/base/math/ray.h"
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/shapes/quadric.h"
@@ -62,7 +63,7 @@ class Disk final : public Shape {
   std::optional<Vec2> area_numbers(int, const Vec3& p) const override {
     const auto u = sweep_.u_of(p.x, p.y);
     if (!u) return std::nullopt;
-    const double rho = std::hypot(p.x, p.y);
+    const double rho = rounded::hypot(p.x, p.y);
     return Vec2{*u, static_cast<float>((r_ - rho) * (r_ + rho) / ((double{r_} - inner_) * (double{r_} + inner_)))};
   }
 

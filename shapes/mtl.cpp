@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/rounded.h"
 #include "dspm/shapes/mtl_pictures.h"
 #include "dspm/shapes/mtl_statements.h"
 
@@ -45,7 +46,7 @@ bool is_physically_based(const tinyobj::material_t& m) {
 
 /// Returns the roughness of Phong's exponent, whose highlight is as wide as that of GGX with alpha^2 = 2 / (Ns + 2).
 /// [Walter et al. 2007] Roughness is the root of alpha.
-float roughness_of_exponent(float exponent) { return std::pow(2 / (std::max(exponent, 0.f) + 2), 0.25f); }
+float roughness_of_exponent(float exponent) { return rounded::pow(2 / (std::max(exponent, 0.f) + 2), 0.25f); }
 
 class MtlReader {
  public:

@@ -20,7 +20,7 @@ struct TriangleRay {
   int kx, ky, kz;
   float sx, sy, sz;
 
-  explicit TriangleRay(const Ray& ray) : origin(ray.origin), direction(ray.direction) {
+  constexpr explicit TriangleRay(const Ray& ray) : origin(ray.origin), direction(ray.direction) {
     const Vec3 d = abs(ray.direction);
     kz = d.x > d.y ? (d.x > d.z ? 0 : 2) : (d.y > d.z ? 1 : 2);
     kx = kz == 2 ? 0 : kz + 1;
@@ -33,14 +33,14 @@ struct TriangleRay {
 
 /// Returns twice the triangle's area along its normal, which points to the side from which the vertices run
 /// counter-clockwise in a right-handed system. It is in double: even the thinnest triangles keep their plane.
-inline DoubleVec3 area_vector(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
+constexpr DoubleVec3 area_vector(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
   const DoubleVec3 a = difference(p1, p0), b = difference(p2, p0);
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 /// Returns the hit with t in (0, t_max), finite; uv are the barycentrics of p1 and p2. Both sides are hit.
-inline std::optional<PrimitiveHit> intersect(const TriangleRay& ray, const Vec3& p0, const Vec3& p1, const Vec3& p2,
-                                             float t_max) {
+constexpr std::optional<PrimitiveHit> intersect(const TriangleRay& ray, const Vec3& p0, const Vec3& p1, const Vec3& p2,
+                                                float t_max) {
   const Vec3 a = p0 - ray.origin, b = p1 - ray.origin, c = p2 - ray.origin;
   const float ax = a[ray.kx] - ray.sx * a[ray.kz], ay = a[ray.ky] - ray.sy * a[ray.kz];
   const float bx = b[ray.kx] - ray.sx * b[ray.kz], by = b[ray.ky] - ray.sy * b[ray.kz];

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dspm/base/math/rng.h"
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/bsdf.h"
 #include "dspm/shapes/shape.h"
@@ -21,7 +22,7 @@ inline SurfacePoint bent_surface() { return surface({0.35f, -0.2f, 1}, {2, 1, 0}
 
 inline Vec3 direction(float cos, float phi) {
   const float sin = std::sqrt(std::max(0.f, 1 - cos * cos));
-  return {sin * std::cos(phi), sin * std::sin(phi), cos};
+  return {sin * rounded::cos(phi), sin * rounded::sin(phi), cos};
 }
 /// Directions from straight on to grazing.
 inline std::vector<Vec3> directions_above() {

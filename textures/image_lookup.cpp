@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "dspm/base/math/rounded.h"
 #include "dspm/image/image.h"
 
 namespace dspm {
@@ -61,7 +62,7 @@ float gaussian(float distance2) {
     std::array<float, kSteps + 1> values{};
     for (int i = 0; i <= kSteps; ++i)
       values[static_cast<std::size_t>(i)] =
-          std::exp(-kSharpness * static_cast<float>(i) / kSteps) - std::exp(-kSharpness);
+          rounded::exp(-kSharpness * static_cast<float>(i) / kSteps) - rounded::exp(-kSharpness);
     return values;
   }();
   return table[static_cast<std::size_t>(distance2 * kSteps + 0.5f)];
@@ -69,7 +70,7 @@ float gaussian(float distance2) {
 
 Vec2 operator*(Vec2 a, Vec2 b) { return {a.x * b.x, a.y * b.y}; }
 
-float length(Vec2 v) { return std::hypot(v.x, v.y); }
+float length(Vec2 v) { return rounded::hypot(v.x, v.y); }
 
 Vec2 size_of(const Image& image) { return {static_cast<float>(image.width), static_cast<float>(image.height)}; }
 
@@ -122,7 +123,7 @@ T ImageLookup::at(const TextureCoordinates& c) const {
   if (settings_.filter == ImageFilter::ewa)
     return length(x) < length(y) ? elliptical<T>(st, y, x) : elliptical<T>(st, x, y);
   const float width = 2 * std::max({std::abs(x.x), std::abs(x.y), std::abs(y.x), std::abs(y.y)});
-  return at_level<T>(std::log2(width * longest_side()), st);
+  return at_level<T>(rounded::log2(width * longest_side()), st);
 }
 
 // The level whose pixels are as wide as the filter; below 0, minus infinity for a point, it is the picture itself.
@@ -149,7 +150,7 @@ T ImageLookup::elliptical(Vec2 st, Vec2 longer, Vec2 shorter) const {
     shorter = shorter * (least / short_side);
     short_side = least;
   }
-  const float level = std::max(std::log2(short_side * longest_side()), 0.f);
+  const float level = std::max(rounded::log2(short_side * longest_side()), 0.f);
   const int last = picture_->levels() - 1;
   if (level >= static_cast<float>(last)) return last > 0 ? pixel<T>(last, 0, 0) : bilinear<T>(0, st);
   const int i = static_cast<int>(level);

@@ -16,7 +16,7 @@ float turn(const Vec3& p) {
 }
 
 /// Returns s from the pole at +z to the other, and t around the axis, as in pbrt.
-Vec2 spherical(const Vec3& p) { return {rounded::atan2(std::hypot(p.x, p.y), p.z) / kPi, turn(p)}; }
+Vec2 spherical(const Vec3& p) { return {rounded::atan2(rounded::hypot(p.x, p.y), p.z) / kPi, turn(p)}; }
 
 /// Returns s, which is 0 at -x, as in pbrt, and t, which is the height.
 Vec2 cylindrical(const Vec3& p) { return {0.5f + rounded::atan2(p.y, p.x) / (2 * kPi), p.z}; }
@@ -26,7 +26,7 @@ float turned(const Vec3& p, const Vec3& dp) { return (p.x * dp.y - p.y * dp.x) /
 
 /// Returns the change of the angle from +z, as a fraction of a half turn.
 float tilted(const Vec3& p, const Vec3& dp) {
-  const float rho = std::hypot(p.x, p.y);
+  const float rho = rounded::hypot(p.x, p.y);
   return ((p.x * dp.x + p.y * dp.y) * (p.z / rho) - rho * dp.z) / (kPi * length2(p));
 }
 
@@ -71,7 +71,7 @@ TextureMapping TextureMapping::read(ParamReader& reader, const Transform& world_
   mapping.delta_.x = reader.number("udelta", 0, {}, "of uv and planar: shift");
   mapping.delta_.y = reader.number("vdelta", 0, {}, "of uv and planar: shift");
   const float rotation = reader.number("rotation", 0, "degrees", "of uv: from u towards v, after the scale");
-  if (rotation != 0) mapping.along_u_ = {std::cos(rotation * kPi / 180), std::sin(rotation * kPi / 180)};
+  if (rotation != 0) mapping.along_u_ = {rounded::cos(rotation * kPi / 180), rounded::sin(rotation * kPi / 180)};
   mapping.v1_ = reader.vector("v1", {1, 0, 0}, {}, "of planar: the picture's horizontal axis");
   mapping.v2_ = reader.vector("v2", {0, 1, 0}, {}, "of planar: the picture's vertical axis");
   mapping.world_from_texture_ = world_from_texture;

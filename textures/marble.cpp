@@ -15,6 +15,7 @@
 #include <cmath>
 
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/textures/noise.h"
@@ -47,7 +48,7 @@ class MarbleTexture final : public Texture<T> {
   T evaluate(const TexturePoint& at) const override {
     const Vec3 own = world_from_texture_.inverse_point(at.p) * scale_;
     const float height = own.y + variation_ * fbm(own, octaves_);
-    const Rgb colour = colour_at(std::isfinite(height) ? 0.5f + 0.5f * std::sin(height) : 0.f);
+    const Rgb colour = colour_at(std::isfinite(height) ? 0.5f + 0.5f * rounded::sin(height) : 0.f);
     if constexpr (std::is_same_v<T, float>)
       return (colour.r + colour.g + colour.b) / 3;
     else

@@ -14,10 +14,10 @@ struct Rgb : Componentwise<Rgb> {
 
   constexpr float operator[](int i) const { return i == 0 ? r : i == 1 ? g : b; }
   constexpr float& operator[](int i) { return i == 0 ? r : i == 1 ? g : b; }
-  friend bool operator==(const Rgb&, const Rgb&) = default;
+  friend constexpr bool operator==(const Rgb&, const Rgb&) = default;
 };
 static_assert(sizeof(Rgb) == 12);
 
-inline float luminance(const Rgb& c) { return 0.212671f * c.r + 0.715160f * c.g + 0.072169f * c.b; }
+constexpr float luminance(const Rgb& c) { return 0.212671f * c.r + 0.715160f * c.g + 0.072169f * c.b; }
 
 }  // namespace dspm

@@ -16,7 +16,7 @@ struct Spectrum : Componentwise<Spectrum> {
 
   constexpr float operator[](int i) const { return v[i]; }
   constexpr float& operator[](int i) { return v[i]; }
-  friend bool operator==(const Spectrum&, const Spectrum&) = default;
+  friend constexpr bool operator==(const Spectrum&, const Spectrum&) = default;
 };
 static_assert(sizeof(Spectrum) == 12);
 

@@ -17,13 +17,13 @@ struct Bin {
   float begin = 0;
 };
 
-inline std::size_t cutpoint_count(std::size_t bins) {
+constexpr std::size_t cutpoint_count(std::size_t bins) {
   constexpr std::size_t kBinsOfOne = 4;
   return (bins + kBinsOfOne - 1) / kBinsOfOne;
 }
 
 /// Returns the cutpoint to look up for u, of `count`.
-inline std::size_t cutpoint_of(float u, std::size_t count) {
+constexpr std::size_t cutpoint_of(float u, std::size_t count) {
   return std::min(static_cast<std::size_t>(u * static_cast<float>(count)), count - 1);
 }
 
@@ -48,7 +48,7 @@ struct BinChoice {
 /// Returns the last bin that begins at or below u. An empty bin begins where the next one does, so it is never the
 /// last.
 template <class T, class Index>
-BinChoice choose_bin(std::span<const T> bins, std::span<const Index> cutpoints, float u) {
+constexpr BinChoice choose_bin(std::span<const T> bins, std::span<const Index> cutpoints, float u) {
   constexpr float kBelowOne = 0x1.fffffep-1f;  // the largest float below 1
   u = std::min(u, kBelowOne);
   std::size_t i = cutpoints[cutpoint_of(u, cutpoints.size())];
@@ -58,14 +58,14 @@ BinChoice choose_bin(std::span<const T> bins, std::span<const Index> cutpoints, 
 }
 
 template <class T>
-float probability_of(std::span<const T> bins, int index) {
+constexpr float probability_of(std::span<const T> bins, int index) {
   const auto i = static_cast<std::size_t>(index);
   return bins[i + 1].begin - bins[i].begin;
 }
 
 /// The u for which choose_bin() returns that index and rest.
 template <class T>
-float bin_number(std::span<const T> bins, int index, float rest) {
+constexpr float bin_number(std::span<const T> bins, int index, float rest) {
   return bins[static_cast<std::size_t>(index)].begin + rest * probability_of(bins, index);
 }
 

@@ -2,11 +2,12 @@
 // moment do not convert into one another. Inside the program, frames count from 0.
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+
+#include "dspm/base/math/bits.h"
 
 namespace dspm {
 
@@ -77,10 +78,10 @@ class FrameSet {
   }
 
   constexpr bool empty() const { return bits_ == 0; }
-  constexpr int count() const { return std::popcount(bits_); }
+  constexpr int count() const { return count_of_bits(bits_); }
   constexpr bool contains(Frame f) const { return (bits_ >> f & 1) != 0; }
   constexpr bool contains(FrameSet other) const { return (other.bits_ & ~bits_) == 0; }
-  constexpr Frame lowest() const { return std::countr_zero(bits_); }
+  constexpr Frame lowest() const { return lowest_bit(bits_); }
   constexpr std::uint64_t bits() const { return bits_; }
 
   constexpr FrameSet& operator|=(FrameSet o) {
@@ -102,8 +103,8 @@ class FrameSet {
 
   /// Calls fn(Frame) for every frame, in ascending order.
   template <class Fn>
-  void for_each(Fn&& fn) const {
-    for (std::uint64_t rest = bits_; rest != 0; rest &= rest - 1) fn(static_cast<Frame>(std::countr_zero(rest)));
+  constexpr void for_each(Fn&& fn) const {
+    for (std::uint64_t rest = bits_; rest != 0; rest &= rest - 1) fn(lowest_bit(rest));
   }
 
  private:

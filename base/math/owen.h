@@ -6,10 +6,12 @@
 
 #include <cstdint>
 
+#include "dspm/base/math/bits.h"
+
 namespace dspm {
 
 constexpr std::uint32_t reverse_bits(std::uint32_t v) {
-  v = __builtin_bswap32(v);
+  v = swapped_bytes(v);
   v = (v >> 4 & 0x0f0f0f0fu) | (v & 0x0f0f0f0fu) << 4;
   v = (v >> 2 & 0x33333333u) | (v & 0x33333333u) << 2;
   return (v >> 1 & 0x55555555u) | (v & 0x55555555u) << 1;

@@ -10,7 +10,7 @@ struct Ray {
   Vec3 direction;           // unit length in the world; of any length in an object's space
   float t_max = kInfinity;  // hits lie in (0, t_max)
 
-  Vec3 at(float t) const { return origin + direction * t; }
+  constexpr Vec3 at(float t) const { return origin + direction * t; }
 };
 
 }  // namespace dspm

@@ -15,7 +15,7 @@ Vec3 octahedral_direction(Vec2 place) {
   const float r = 1 - std::abs(above);
   const float turn = r > 0 ? 0.5f * (1 + (ay - ax) / r) : 0.5f;
   const float phi = turn * (kPi / 2), sin_theta = r * std::sqrt(2 - r * r);
-  return {std::copysign(std::cos(phi) * sin_theta, x), std::copysign(std::sin(phi) * sin_theta, y),
+  return {std::copysign(rounded::cos(phi) * sin_theta, x), std::copysign(rounded::sin(phi) * sin_theta, y),
           std::copysign(1 - r * r, above)};
 }
 
@@ -32,13 +32,13 @@ Vec2 octahedral_place(const Vec3& d) {
 }
 
 Vec3 polar_direction(Vec2 place) {
-  const float phi = 2 * kPi * place.x, theta = kPi * place.y, s = std::sin(theta);
-  return {std::cos(phi) * s, std::sin(phi) * s, std::cos(theta)};
+  const float phi = 2 * kPi * place.x, theta = kPi * place.y, s = rounded::sin(theta);
+  return {rounded::cos(phi) * s, rounded::sin(phi) * s, rounded::cos(theta)};
 }
 
 Vec2 polar_place(const Vec3& d) {
   const float turn = rounded::atan2(d.y, d.x) / (2 * kPi);
-  return {turn < 0 ? turn + 1 : turn, rounded::atan2(std::hypot(d.x, d.y), d.z) / kPi};
+  return {turn < 0 ? turn + 1 : turn, rounded::atan2(rounded::hypot(d.x, d.y), d.z) / kPi};
 }
 
 }  // namespace

@@ -38,15 +38,15 @@ class Transform {
   /// Throws std::invalid_argument if `matrix` is not affine or is singular.
   explicit Transform(const Matrix4& matrix);
 
-  Vec3 point(const Vec3& p) const { return apply(forward_, p, 1); }
-  Vec3 vector(const Vec3& v) const { return apply(forward_, v, 0); }
+  constexpr Vec3 point(const Vec3& p) const { return apply(forward_, p, 1); }
+  constexpr Vec3 vector(const Vec3& v) const { return apply(forward_, v, 0); }
   /// The result is not normalised and stays on the same side of the surface.
-  Vec3 normal(const Vec3& n) const { return apply_transposed(backward_, n); }
-  Vec3 inverse_point(const Vec3& p) const { return apply(backward_, p, 1); }
-  Vec3 inverse_normal(const Vec3& n) const { return apply_transposed(forward_, n); }
-  Vec3 inverse_vector(const Vec3& v) const { return apply(backward_, v, 0); }
+  constexpr Vec3 normal(const Vec3& n) const { return apply_transposed(backward_, n); }
+  constexpr Vec3 inverse_point(const Vec3& p) const { return apply(backward_, p, 1); }
+  constexpr Vec3 inverse_normal(const Vec3& n) const { return apply_transposed(forward_, n); }
+  constexpr Vec3 inverse_vector(const Vec3& v) const { return apply(backward_, v, 0); }
   /// The ray in the object's space. Its direction keeps the scale, so distances t are the world's.
-  Ray inverse_ray(const Ray& ray) const {
+  constexpr Ray inverse_ray(const Ray& ray) const {
     return {inverse_point(ray.origin), inverse_vector(ray.direction), ray.t_max};
   }
   Bounds3 bounds(const Bounds3& b) const { return bounds(forward_, b); }
@@ -62,13 +62,13 @@ class Transform {
   using Rows = std::array<std::array<float, 4>, 3>;
   static constexpr Rows kIdentity{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 
-  static Vec3 apply(const Rows& r, const Vec3& v, float w) {
+  static constexpr Vec3 apply(const Rows& r, const Vec3& v, float w) {
     return {r[0][0] * v.x + r[0][1] * v.y + r[0][2] * v.z + r[0][3] * w,
             r[1][0] * v.x + r[1][1] * v.y + r[1][2] * v.z + r[1][3] * w,
             r[2][0] * v.x + r[2][1] * v.y + r[2][2] * v.z + r[2][3] * w};
   }
   static Bounds3 bounds(const Rows& r, const Bounds3& b);
-  static Vec3 apply_transposed(const Rows& r, const Vec3& v) {
+  static constexpr Vec3 apply_transposed(const Rows& r, const Vec3& v) {
     return {r[0][0] * v.x + r[1][0] * v.y + r[2][0] * v.z, r[0][1] * v.x + r[1][1] * v.y + r[2][1] * v.z,
             r[0][2] * v.x + r[1][2] * v.y + r[2][2] * v.z};
   }

@@ -80,7 +80,7 @@ class Segment {
     Exponential(float sigma_t, float length)
         : sigma(sigma_t), within(static_cast<float>(-std::expm1(-double{sigma_t} * double{length}))) {}
     float draw(float u) const { return -rounded::log1p(-u * within) / sigma; }
-    float density(float distance) const { return sigma * std::exp(-sigma * distance) / within; }
+    float density(float distance) const { return sigma * rounded::exp(-sigma * distance) / within; }
   };
 
   void clip(const Bounds3& box) {

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dspm/base/math/rounded.h"
+
 namespace dspm {
 namespace {
 
 constexpr int kColour = 1 << 19, kFirstFlight = kColour + 1;  // apart from the numbers of walks
 
 Spectrum exp_minus(const Spectrum& depth) {
-  return map(depth, [](float d) { return std::exp(-d); });
+  return map(depth, [](float d) { return rounded::exp(-d); });
 }
 
 template <class T, class Predicate>

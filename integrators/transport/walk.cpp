@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dspm/base/colour/spectrum.h"
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/sampling.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/media/henyey_greenstein.h"
@@ -19,7 +20,7 @@ constexpr int kMostCollisions = 1 << 16;
 int dimension(int collision, int number) { return kFlights + collision * kNumbers + number; }
 
 /// Returns the share of light that a flight of that length leaves.
-float left_after(float sigma_t, float distance) { return std::exp(-sigma_t * distance); }
+float left_after(float sigma_t, float distance) { return rounded::exp(-sigma_t * distance); }
 
 }  // namespace
 
@@ -32,7 +33,7 @@ void Walk::start(Ray& ray, const PathRandom& random, int bounce) {
 
 void Walk::fly(Ray& ray, const PathRandom& random, int bounce) const {
   const float u = random.number(bounce, dimension(collisions_, kFlight)), sigma_t = interior_.sigma_t[hero_];
-  ray.t_max = sigma_t > 0 ? -std::log(1 - u) / sigma_t : kInfinity;
+  ray.t_max = sigma_t > 0 ? -rounded::log(1 - u) / sigma_t : kInfinity;
 }
 
 Spectrum Walk::weigh(const Spectrum& density) {

@@ -53,8 +53,8 @@ void Subject::add(std::span<const Vec3> seen) {
 }
 
 Vec3 towards(float azimuth, float elevation) {
-  const float a = azimuth * kPi / 180, e = elevation * kPi / 180;
-  return {std::sin(a) * std::cos(e), std::sin(e), -std::cos(a) * std::cos(e)};
+  const rounded::SinCos around = rounded::sin_cos(azimuth * kPi / 180), up = rounded::sin_cos(elevation * kPi / 180);
+  return {around.sin * up.cos, up.sin, -around.cos * up.cos};
 }
 
 std::string view_of(const Subject& subject, double aspect) {

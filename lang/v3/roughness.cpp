@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/params/params.h"
 
 namespace dspm::v3 {
@@ -16,7 +17,7 @@ constexpr std::string_view kRoughness[] = {"roughness", "uroughness", "vroughnes
 /// v3 fitted the Beckmann-like width to "roughness" by this polynomial; v4 takes the root
 /// [pbrt-v3, src/core/microfacet.h, RoughnessToAlpha].
 float alpha_of(float roughness) {
-  const float x = std::log(std::max(roughness, 1e-3f));
+  const float x = rounded::log(std::max(roughness, 1e-3f));
   return 1.62142f + 0.819955f * x + 0.1734f * x * x + 0.0171201f * x * x * x + 0.000640711f * x * x * x * x;
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/lang/v3/kinds.h"
@@ -63,9 +64,8 @@ void turn(Edit& edit, Profile&& profile) {
   const float whole = take_number(edit, "phimax", 360) * kPi / 180;
   become_grid(edit, kSlices + 1, kRings + 1, [&](Grid& grid, float u, float v) {
     const float inside = std::clamp(v, kStep, 1 - kStep), phi = u * whole;
-    const auto turned = [&](const Vec3& p) {
-      return Vec3{p.x * std::cos(phi) - p.y * std::sin(phi), p.x * std::sin(phi) + p.y * std::cos(phi), p.z};
-    };
+    const auto [sin, cos] = rounded::sin_cos(phi);
+    const auto turned = [sin, cos](const Vec3& p) { return Vec3{p.x * cos - p.y * sin, p.x * sin + p.y * cos, p.z}; };
     const Vec3 p = profile(inside), along = profile(inside + kStep) - profile(inside - kStep);
     Vec3 n = turned(cross(Vec3{-p.y, p.x, 0}, along));
     n = length(n) > 0 ? normalize(n) : Vec3{0, 0, 1};

@@ -75,6 +75,7 @@
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/colour/spectrum.h"
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/materials/fresnel.h"
@@ -225,7 +226,7 @@ class PrincipledMaterial final : public Material {
     Basis basis = Basis::around(point.ns, point.dpdu);
     if (dot(basis.y, point.dpdv) < 0) basis.y = -basis.y;  // mirrored coordinates, or a mirrored world
     SurfacePoint turned = point;
-    turned.dpdu = basis.x * std::cos(degrees * kPi / 180) + basis.y * std::sin(degrees * kPi / 180);
+    turned.dpdu = basis.x * rounded::cos(degrees * kPi / 180) + basis.y * rounded::sin(degrees * kPi / 180);
     return ShadingFrame(turned);
   }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "dspm/base/colour/spectrum.h"
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/made_up.h"
 #include "dspm/materials/principled/principled_layers.h"
@@ -118,7 +119,8 @@ float PrincipledLayers::diffuse_norm() const {
     const float phi = (static_cast<float>(k) + 0.5f) / static_cast<float>(around) * kPi / 2;
     for (const Vec2& point : kRule) {
       const float sin = std::sqrt(1 - point.x * point.x);
-      sum += point.y * 2 * point.x * left_to_ground(way({sin * std::cos(phi), sin * std::sin(phi), point.x}, point.x));
+      sum += point.y * 2 * point.x *
+             left_to_ground(way({sin * rounded::cos(phi), sin * rounded::sin(phi), point.x}, point.x));
     }
   }
   return sum / static_cast<float>(around);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/facet_albedo.h"
 #include "dspm/materials/metal_tables.h"
@@ -18,11 +19,11 @@ float albedo_of_sheen(float cos, float alpha) {
   double sum = 0;
   for (int i = 0; i < kUp; ++i) {
     const float x = (static_cast<float>(i) + 0.5f) / kUp, elevation = x * x * kPi / 2;
-    const float z = std::sin(elevation), r = std::cos(elevation);
+    const float z = rounded::sin(elevation), r = rounded::cos(elevation);
     for (int j = 0; j < kAround; ++j) {
       const float phi = (static_cast<float>(j) + 0.5f) / kAround * kPi;
-      sum +=
-          static_cast<double>(sheen.f(direction_of_cosine(cos), {r * std::cos(phi), r * std::sin(phi), z}) * z * r * x);
+      sum += static_cast<double>(sheen.f(direction_of_cosine(cos), {r * rounded::cos(phi), r * rounded::sin(phi), z}) *
+                                 z * r * x);
     }
   }
   return static_cast<float>(2 * std::acos(-1.) * std::acos(-1.) * sum / (kUp * kAround));

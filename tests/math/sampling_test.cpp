@@ -8,6 +8,8 @@
 #include <numeric>
 #include <random>
 
+#include "dspm/base/math/distribution.h"
+
 namespace dspm {
 namespace {
 

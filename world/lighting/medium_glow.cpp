@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "dspm/base/math/sampling.h"
 #include "dspm/base/math/z_curve.h"
 #include "dspm/base/system/parallel.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dspm/base/colour/rgb.h"
-#include "dspm/base/math/sampling.h"
+#include "dspm/base/math/distribution.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/lights/light.h"
 #include "dspm/media/medium.h"
