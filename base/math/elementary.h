@@ -42,6 +42,9 @@ constexpr double sqrt(double x) {
   return root;
 }
 
+constexpr double hypot(double x, double y) { return sqrt(x * x + y * y); }
+constexpr double copysign(double size, double sign) { return __builtin_copysign(size, sign); }
+
 struct SinCos {
   double sin, cos;
 };
@@ -77,13 +80,17 @@ constexpr std::uint64_t bits_of_two_over_pi(int from) {
   return shift == 0 ? word(i) : word(i) << shift | word(i + 1) >> (64 - shift);
 }
 
+/// Takes |x| < 2^25.
+constexpr Octant octant(double x) {
+  constexpr double kHigh = 0x1.921fb54p+0, kMiddle = 0x1.10b4610p-30, kLow = 0x1.a62633145c06ep-58;  // of pi / 2
+  const double n = nearest(x * (2 / kPi));  // its products with the first two are exact
+  return {x - n * kHigh - n * kMiddle - n * kLow, static_cast<std::int64_t>(n)};
+}
+constexpr SinCos sin_cos(double x) { return octant(x).sin_cos(); }
+
 /// Takes any finite float. [Payne and Hanek 1983] for large ones: bits of x / (2 pi) that are whole turns are left out.
 constexpr Octant octant(float x) {
-  constexpr double kHigh = 0x1.921fb54p+0, kMiddle = 0x1.10b4610p-30, kLow = 0x1.a62633145c06ep-58;  // of pi / 2
-  if (-0x1p25f < x && x < 0x1p25f) {
-    const double n = nearest(double{x} * (2 / kPi));  // its products with the first two are exact
-    return {double{x} - n * kHigh - n * kMiddle - n * kLow, static_cast<std::int64_t>(n)};
-  }
+  if (-0x1p25f < x && x < 0x1p25f) return octant(double{x});
   const std::uint32_t bits = std::bit_cast<std::uint32_t>(x);
   const std::uint64_t digits = (bits & 0x7fffffu) | 0x800000u;
   const int skipped = static_cast<int>(bits >> 23 & 0xff) - 127 - 23 - 2;
@@ -142,5 +149,13 @@ constexpr double first_quadrant_angle(double y, double x) {
   const double from_axis = wide ? angle + kPi / 4 : angle;
   return steep ? kPi / 2 - from_axis : from_axis;
 }
+
+/// Takes finite numbers; signs of zeros count, as in C.
+constexpr double atan2(double y, double x) {
+  const double angle = first_quadrant_angle(copysign(y, 1), copysign(x, 1));
+  return copysign(copysign(1, x) < 0 ? kPi - angle : angle, y);
+}
+/// Takes numbers from -1 to 1.
+constexpr double acos(double x) { return atan2(sqrt((1 - x) * (1 + x)), x); }
 
 }  // namespace dspm::elementary

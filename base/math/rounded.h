@@ -22,7 +22,7 @@ constexpr float sqrt(float x) {
   return std::is_constant_evaluated() ? static_cast<float>(elementary::sqrt(double{x})) : __builtin_sqrtf(x);
 }
 /// Returns the square root of x^2 + y^2.
-constexpr float hypot(float x, float y) { return static_cast<float>(elementary::sqrt(double{x} * x + double{y} * y)); }
+constexpr float hypot(float x, float y) { return static_cast<float>(elementary::hypot(x, y)); }
 
 struct SinCos {
   float sin, cos;
@@ -55,12 +55,7 @@ constexpr float asin(float x) {
   return with_sign_of(
       x, elementary::first_quadrant_angle(std::abs(double{x}), elementary::sqrt((1 - double{x}) * (1 + double{x}))));
 }
-constexpr float acos(float x) {
-  if (!(x >= -1 && x <= 1)) return kNaN;
-  const double angle =
-      elementary::first_quadrant_angle(elementary::sqrt((1 - double{x}) * (1 + double{x})), std::abs(double{x}));
-  return static_cast<float>(x < 0 ? elementary::kPi - angle : angle);
-}
+constexpr float acos(float x) { return x >= -1 && x <= 1 ? static_cast<float>(elementary::acos(x)) : kNaN; }
 
 constexpr float exp(float x) {  // beyond these bounds, the results are infinity and 0
   return x != x ? x : static_cast<float>(elementary::exp(std::clamp(double{x}, -110., 90.)));

@@ -1,13 +1,8 @@
 // The formulas that a GPU shares with the CPU, each called once by a kernel. formulas.sh compiles this file for devices, for
 // which nothing but constexpr functions may be called.
-#ifdef __clang__  // words of the SDK's headers, which it does without
-#define __host__ __attribute__((host))
-#define __device__ __attribute__((device))
-#define __global__ __attribute__((global))
-#endif
+#include "words.h"
 
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 
 #include "dspm/base/colour/rgb.h"
