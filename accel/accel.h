@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "dspm/base/math/frame_array.h"
+#include "dspm/accel/ray_hit.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/vec.h"
@@ -14,43 +14,6 @@
 #include "dspm/shapes/placed_shape.h"
 
 namespace dspm {
-
-/// A ray's intersection. `shape` indexes the placed shapes and is negative for a miss.
-struct RayHit {
-  float t = kInfinity;
-  int shape = -1;
-  int primitive = 0;
-  Vec2 uv;
-
-  bool missed() const { return shape < 0; }
-  /// The order that decides which of two hits is nearer: distance, then shape, then primitive.
-  bool nearer_than(const RayHit& o) const {
-    if (t != o.t) return t < o.t;
-    if (shape != o.shape) return static_cast<unsigned>(shape) < static_cast<unsigned>(o.shape);
-    return primitive < o.primitive;
-  }
-};
-
-/// The ray's first hit (or a miss) in these frames.
-struct FrameHit {
-  FrameSet frames;
-  RayHit hit;
-};
-
-/// The frames of a ray partitioned by its first hit: parts are disjoint, their union is the query's frames, a miss is a
-/// part, and no two parts have the same (shape, primitive). Parts are sorted by their lowest frames.
-class HitPartition {
- public:
-  void add(FrameSet frames, const RayHit& hit) { parts_.add({frames, hit}); }
-  int size() const { return static_cast<int>(parts_.size()); }
-  FrameHit& operator[](int i) { return parts_[static_cast<std::size_t>(i)]; }
-  const FrameHit& operator[](int i) const { return parts_[static_cast<std::size_t>(i)]; }
-  const FrameHit* begin() const { return parts_.begin(); }
-  const FrameHit* end() const { return parts_.end(); }
-
- private:
-  FrameArray<FrameHit> parts_;
-};
 
 class Accel {
  public:

@@ -5,9 +5,9 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 
 #include "dspm/base/math/ray.h"
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 
 namespace dspm {
@@ -15,15 +15,15 @@ namespace dspm {
 /// 16 roundings: the watertight triangle test takes 6 for shearing, a plane's distance 3.
 inline constexpr float kBoxMargin = 0x1p-20f;
 
-inline float largest_coordinate(const Bounds3& b) { return max_component(max(abs(b.low), abs(b.high))); }
+constexpr float largest_coordinate(const Bounds3& b) { return max_component(max(abs(b.low), abs(b.high))); }
 
-inline Bounds3 widened(const Bounds3& b, float by) {
+constexpr Bounds3 widened(const Bounds3& b, float by) {
   const Vec3 margin{by, by, by};
   return {b.low - margin, b.high + margin};
 }
 
 /// The box that trees use for a primitive, or for anything in the same space as the ray.
-inline Bounds3 with_margin(const Bounds3& b) { return widened(b, kBoxMargin * largest_coordinate(b)); }
+constexpr Bounds3 with_margin(const Bounds3& b) { return widened(b, kBoxMargin * largest_coordinate(b)); }
 
 /// A ray prepared for boxes with margin. Along each axis, the near plane is the high one if the direction is negative.
 struct BoxRay {
@@ -32,11 +32,11 @@ struct BoxRay {
   Vec3 inverse;                  // of the direction; infinite along an axis to which the ray is perpendicular
 
   /// `margins` is the number of margins of the origin; see Tree::margins for more than one.
-  explicit BoxRay(const Ray& ray, float margins = 1) {
+  constexpr explicit BoxRay(const Ray& ray, float margins = 1) {
     const float margin = margins * kBoxMargin * max_component(abs(ray.origin));
     for (int axis = 0; axis < 3; ++axis) {
-      const float d = ray.direction[axis], shift = std::copysign(margin, d);
-      negative[static_cast<std::size_t>(axis)] = std::signbit(d);
+      const float d = ray.direction[axis], shift = rounded::is_negative(d) ? -margin : margin;
+      negative[static_cast<std::size_t>(axis)] = rounded::is_negative(d);
       near_origin[axis] = ray.origin[axis] + shift;
       far_origin[axis] = ray.origin[axis] - shift;
       inverse[axis] = 1 / d;
@@ -44,7 +44,7 @@ struct BoxRay {
   }
 
   /// Returns where the ray's line enters the box, at least 0. Ignores an axis on which 0 is multiplied by infinity.
-  float entry(const Bounds3& box) const {
+  constexpr float entry(const Bounds3& box) const {
     float t = 0;
     for (int axis = 0; axis < 3; ++axis) {
       const float plane = negative[static_cast<std::size_t>(axis)] ? box.high[axis] : box.low[axis];

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dspm/accel/meet.h"
+#include "dspm/accel/triangle_packet.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/simd.h"
 
@@ -31,9 +32,9 @@ struct FourHits {
 
 class FourTriangles {
  public:
-  /// The vertices by corner, axis and triangle; they must outlive this.
-  using Vertices = float[3][3][4];
+  using Vertices = TrianglePacket::Vertices;
 
+  /// The vertices must outlive this.
   FourTriangles(const FourRays& ray, const Vertices& vertices) : vertices_(vertices) {
     const TriangleRay& r = ray.one.triangle;
     __m128 x[3], y[3];

@@ -1,57 +1,15 @@
-// The queries of a tree traversal (see traverse.h): the nearest hit in one frame, the nearest hit in each of many
-// frames, or whether anything is in the way.
+// The queries of a tree traversal (see traverse.h) in many frames: the nearest hit in each, or where nothing is in the way.
+// nearest_hit.h has those of one frame.
 #pragma once
 
 #include <cstdint>
 
-#include "dspm/accel/accel.h"
+#include "dspm/accel/nearest_hit.h"
+#include "dspm/accel/ray_hit.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/simd.h"
 
 namespace dspm {
-
-/// The nearest hit so far of a ray in one frame, or in frames that cannot differ.
-class NearestHit {
- public:
-  static constexpr bool kOneFrame = true;
-  static constexpr bool kNearestFirst = true;
-
-  /// Accepts hits up to and including the distance `limit`.
-  NearestHit(FrameSet frames, float limit) : frames_(frames) { best_.t = limit; }
-
-  FrameSet frames() const { return frames_; }
-  float limit() const { return best_.t; }
-  float limit(FrameSet) const { return best_.t; }
-  bool reaches(float entry, FrameSet) const { return entry <= best_.t; }
-  void offer(const RayHit& hit, FrameSet) {
-    if (hit.nearer_than(best_)) best_ = hit;
-  }
-  RayHit hit() const { return best_.missed() ? RayHit{} : best_; }
-
- private:
-  FrameSet frames_;
-  RayHit best_;
-};
-
-/// Finds out whether anything is in the way in one frame, or in frames that cannot differ.
-class AnyHit {
- public:
-  static constexpr bool kOneFrame = true;
-  static constexpr bool kNearestFirst = false;
-
-  AnyHit(FrameSet frames, float t_max) : frames_(frames), limit_(t_max) {}
-
-  FrameSet frames() const { return frames_; }
-  float limit() const { return limit_; }
-  float limit(FrameSet) const { return limit_; }
-  bool reaches(float entry, FrameSet) const { return entry <= limit_; }
-  void offer(const RayHit&, FrameSet) { limit_ = -1; }
-  bool found() const { return limit_ < 0; }
-
- private:
-  FrameSet frames_;
-  float limit_;
-};
 
 /// The nearest hit so far in each frame. A hit shared by several frames is stored once.
 class NearestHits {

@@ -11,11 +11,11 @@
 
 namespace dspm {
 
-inline std::optional<PrimitiveHit> not_before_entry(PrimitiveHit hit, const BoxRay& ray, const Bounds3& bounds,
-                                                    float t_max) {
+constexpr std::optional<PrimitiveHit> not_before_entry(PrimitiveHit hit, const BoxRay& ray, const Bounds3& bounds,
+                                                       float t_max) {
   const float entry = ray.entry(with_margin(bounds));
   if (entry > hit.t && entry < kInfinity) hit.t = entry;
-  return hit.t < t_max ? std::optional(hit) : std::nullopt;
+  return hit.t < t_max ? std::optional<PrimitiveHit>(hit) : std::nullopt;
 }
 
 /// Returns the hit; `ray` is in the shape's space.
@@ -30,11 +30,11 @@ struct MeshRay {
   BoxRay box;
   float t_max;
 
-  explicit MeshRay(const Ray& ray) : triangle(ray), box(ray), t_max(ray.t_max) {}
+  constexpr explicit MeshRay(const Ray& ray) : triangle(ray), box(ray), t_max(ray.t_max) {}
 };
 
 /// Returns what meet() returns for the same triangle of a mesh.
-inline std::optional<PrimitiveHit> meet(const MeshRay& ray, const Vec3& p0, const Vec3& p1, const Vec3& p2) {
+constexpr std::optional<PrimitiveHit> meet(const MeshRay& ray, const Vec3& p0, const Vec3& p1, const Vec3& p2) {
   const std::optional<PrimitiveHit> hit = intersect(ray.triangle, p0, p1, p2, ray.t_max);
   if (!hit) return hit;
   return not_before_entry(*hit, ray.box, {min(min(p0, p1), p2), max(max(p0, p1), p2)}, ray.t_max);

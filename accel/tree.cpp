@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "dspm/accel/find_in_packet.h"
 #include "dspm/accel/tree_limits.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
@@ -69,7 +70,7 @@ void Tree::find(const TreeRay& ray, Query& query, Offers& offers, const CutOut* 
     if (leaf >= kPlaced) return find_in(placed_at(leaf), ray.ray, query, whole);
     const TrianglePacket* packet = &packets_[leaf & ~kTwo];
     const TrianglePacket* const end = packet + ((leaf & kTwo) != 0 ? 2 : 1);
-    for (; packet != end; ++packet) packet->find(ray.four, offers, frames_of);
+    for (; packet != end; ++packet) dspm::find_in(*packet, ray.four, offers, frames_of);
   });
 }
 template void Tree::find(const TreeRay&, NearestHit&) const;

@@ -9,7 +9,9 @@
 #include <span>
 #include <vector>
 
+#include "dspm/accel/bvh.h"
 #include "dspm/accel/cut_query.h"
+#include "dspm/accel/four_triangles.h"
 #include "dspm/accel/traverse.h"
 #include "dspm/accel/triangle_packet.h"
 #include "dspm/base/math/frames.h"
@@ -19,6 +21,7 @@
 namespace dspm {
 
 class MeshTrees;
+class PlainTrees;
 
 /// A ray prepared for trees whose Tree::margins() is at most `margins`.
 struct TreeRay {
@@ -76,6 +79,8 @@ class Tree {
   std::size_t memory() const;
 
  private:
+  friend class PlainTrees;
+
   /// A placed object: one primitive, or all of a shape.
   struct Placed {
     const PlacedShape* shape;

@@ -1,4 +1,4 @@
-// Limits what a tree can number: its leaves hold 32 bits, of which some say what is in the leaf.
+// Limits what a tree can number.
 #pragma once
 
 #include <fmt/format.h>
@@ -6,10 +6,9 @@
 #include <cstdint>
 #include <stdexcept>
 
-namespace dspm {
+#include "dspm/accel/leaf_numbers.h"
 
-// Bits of a leaf's number: it is a placed object; its triangles fill two packets; it is a primitive of a crowd.
-inline constexpr std::uint32_t kPlaced = 1u << 30, kTwo = 1u << 29, kOfCrowd = kPlaced | kTwo;
+namespace dspm {
 
 /// Throws std::length_error if a tree cannot be made of so many pieces (triangles, or one in several frames, and placed
 /// objects), or number so many leaves of one kind: packets of triangles, placed objects, or primitives of crowds.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "dspm/accel/bvh.h"
 #include "dspm/accel/triangle_packet.h"
 #include "dspm/base/system/untouched.h"
 #include "dspm/shapes/placed_shape.h"

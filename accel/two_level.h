@@ -25,6 +25,8 @@ class TwoLevel final : public Accel {
 
   const Tree& static_tree() const { return static_; }
   const Tree& dynamic_tree() const { return dynamic_; }
+  /// Those over the dynamic objects of one frame each; empty if there are none.
+  std::span<const Tree> trees_of_frames() const { return of_frame_; }
 
  private:
   template <class Query>

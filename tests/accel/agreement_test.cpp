@@ -8,6 +8,7 @@
 
 #include "dspm/accel/brute_force.h"
 #include "dspm/accel/crowd.h"
+#include "dspm/accel/plain_trees.h"
 #include "dspm/accel/two_level.h"
 #include "tests/accel/random_scene.h"
 
@@ -82,6 +83,36 @@ TEST_P(Agreement, OnRandomScenes) {
     const BruteForce loop(scene.placed());
     for (int i = 0; i < 40; ++i) expect_agreement(tree, loop, scene.some_ray(), scene.some_frames());
   }
+}
+
+/// A plain query as an Accel.
+class Plain final : public Accel {
+ public:
+  explicit Plain(const TwoLevel& trees) : plain_(trees) {}
+  HitPartition partition(const Ray& ray, FrameSet frames) const override {
+    return plain_.query().partition(ray, frames);
+  }
+  FrameSet occluded(const Ray& ray, FrameSet frames) const override { return plain_.query().occluded(ray, frames); }
+  std::size_t memory() const override { return 0; }
+
+ private:
+  PlainTrees plain_;
+};
+
+// What devices run.
+TEST_P(Agreement, OfPlainQueriesOnRandomScenes) {
+  int scenes = 0;
+  for (std::uint64_t seed = 0; seed < 4000 && !testing::Test::HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    test::RandomScene scene(seed);
+    if (first_not_plain(scene.placed()) >= 0) continue;
+    ++scenes;
+    const TwoLevel tree(scene.placed(), scene.all(), GetParam());
+    const Plain plain(tree);
+    const BruteForce loop(scene.placed());
+    for (int i = 0; i < 40; ++i) expect_agreement(plain, loop, scene.some_ray(), scene.some_frames());
+  }
+  EXPECT_GT(scenes, 300);
 }
 
 // The distance of a hit is no longer within a ray that ends there, and is within one that ends at the next float.

@@ -1,0 +1,171 @@
+// A tree as devices traverse it: the nodes and leaves of tree.h behind plain pointers, the same tests one after the other
+// instead of side by side. Answers are those of Tree, bit for bit, and depend on no order.
+#pragma once
+
+#include <cstdint>
+
+#include "dspm/accel/box_ray.h"
+#include "dspm/accel/bvh.h"
+#include "dspm/accel/leaf_numbers.h"
+#include "dspm/accel/meet.h"
+#include "dspm/accel/nearest_hit.h"
+#include "dspm/accel/ray_hit.h"
+#include "dspm/accel/triangle_packet.h"
+#include "dspm/base/math/bits.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/base/math/ray.h"
+#include "dspm/base/math/transform.h"
+#include "dspm/shapes/plain_shape.h"
+
+namespace dspm {
+
+struct PlainTree {
+  /// A placed object: a mesh in its own space, or a shape of one primitive.
+  struct Placed {
+    Transform to_world;
+    bool in_object_space = false;
+    FrameSet frames;
+    int number = 0;                   // of the shape, among all placed shapes
+    const PlainTree* mesh = nullptr;  // null: it is `shape`
+    PlainShape shape = {};
+  };
+
+  const Bvh::Node* nodes = nullptr;
+  const Bvh::NodeFrames* node_frames = nullptr;  // null: everything is there in all frames
+  const TrianglePacket* packets = nullptr;
+  const Placed* placed = nullptr;
+  const FrameSet* frames = nullptr;  // by shape
+  std::uint32_t root = 0;
+  float margins = 1;  // see Tree::margins()
+
+  constexpr bool empty() const { return nodes == nullptr; }
+};
+
+/// Returns bits of the children of `node` that the ray enters within `limit`, and sets the distances at which it does.
+constexpr unsigned entered_children(const Bvh::Node& node, const BoxRay& ray, float limit, float* entry) {
+  unsigned entered = 0;
+  for (int i = 0; i < Bvh::kWidth; ++i) {
+    float enter = 0, leave = limit;
+    for (int axis = 0; axis < 3; ++axis) {
+      const int low = ray.negative[static_cast<std::size_t>(axis)] ? 1 : 0;
+      const float near = (node.planes[2 * axis + low][i] - ray.near_origin[axis]) * ray.inverse[axis];
+      const float far = (node.planes[2 * axis + 1 - low][i] - ray.far_origin[axis]) * ray.inverse[axis];
+      enter = near > enter ? near : enter;  // NaN, which is zero times infinity, changes nothing
+      leave = far < leave ? far : leave;
+    }
+    entry[i] = enter;
+    if (enter <= leave) entered |= 1u << i;
+  }
+  return entered;
+}
+
+/// Calls visit(leaf number) for the leaves that matter to `query`, a query of one frame (nearest_hit.h), roughly in the
+/// order in which the ray enters them.
+template <class Query, class Visit>
+constexpr void traverse(const PlainTree& tree, const BoxRay& ray, Query& query, const Visit& visit) {
+  static_assert(Query::kOneFrame);
+  constexpr int kMost = (Bvh::kWidth - 1) * Bvh::kMaxDepth + 1;
+  float at[kMost];
+  std::uint32_t child[kMost];
+  int size = 1;
+  at[0] = 0, child[0] = tree.root;
+  while (size > 0) {
+    --size;
+    if (at[size] > query.limit()) continue;
+    const std::uint32_t top = child[size];
+    if (top >= Bvh::kLeaf) {
+      visit(top - Bvh::kLeaf);
+      continue;
+    }
+    const Bvh::Node& node = tree.nodes[top];
+    float entry[Bvh::kWidth];
+    const int base = size;
+    for (unsigned hits = entered_children(node, ray, query.limit(), entry); hits != 0; hits &= hits - 1) {
+      const auto i = static_cast<std::size_t>(lowest_bit(hits));
+      if (tree.node_frames != nullptr && (tree.node_frames[top][i] & query.frames()).empty()) continue;
+      int place = size++;
+      if constexpr (Query::kNearestFirst)
+        for (; place > base && at[place - 1] < entry[i]; --place)
+          at[place] = at[place - 1], child[place] = child[place - 1];
+      at[place] = entry[i], child[place] = node.child[i];
+    }
+  }
+}
+
+template <class Query>
+constexpr void find_in(const TrianglePacket& packet, const MeshRay& ray, const FrameSet* frames, Query& query) {
+  for (std::size_t lane = 0; lane < TrianglePacket::kSize; ++lane) {
+    const int shape = packet.shape[lane];
+    if (shape < 0 || (frames[shape] & query.frames()).empty()) continue;
+    const auto hit = meet(ray, packet.corner(lane, 0), packet.corner(lane, 1), packet.corner(lane, 2));
+    if (hit) query.offer({hit->t, shape, packet.primitive[lane], hit->uv}, frames[shape] & query.frames());
+  }
+}
+
+/// Calls fn(const TrianglePacket&) for those of a leaf.
+template <class Fn>
+constexpr void for_each_packet(const PlainTree& tree, std::uint32_t leaf, Fn&& fn) {
+  const TrianglePacket* const first = tree.packets + (leaf & ~kTwo);
+  fn(first[0]);
+  if ((leaf & kTwo) != 0) fn(first[1]);
+}
+
+/// Returns whether the ray hits nothing because some of its numbers are none: it would enter all boxes.
+constexpr bool is_nowhere(const BoxRay& ray) {
+  const auto has_nan = [](const Vec3& v) { return v.x != v.x || v.y != v.y || v.z != v.z; };
+  return has_nan(ray.near_origin) || has_nan(ray.inverse);
+}
+
+/// Returns the hit; `ray` is in the shape's space.
+constexpr std::optional<PrimitiveHit> meet(const PlainShape& shape, const Ray& ray) {
+  const std::optional<PrimitiveHit> hit = shape.intersect(ray);
+  return hit ? not_before_entry(*hit, BoxRay(ray), shape.bounds(), ray.t_max) : std::nullopt;
+}
+
+/// Offers what was found on the shape in its own space.
+constexpr void pass_on(const NearestHit& own, int shape, FrameSet frames, NearestHit& query) {
+  RayHit hit = own.hit();
+  if (hit.missed()) return;
+  hit.shape = shape;
+  query.offer(hit, frames);
+}
+constexpr void pass_on(const AnyHit& own, int, FrameSet frames, AnyHit& query) {
+  if (own.found()) query.offer({}, frames);
+}
+
+/// Finds hits on a mesh in its own space.
+template <class Query>
+constexpr void find_on_mesh(const PlainTree& mesh, const Ray& ray, Query& query) {
+  const MeshRay prepared(ray);
+  const BoxRay box(ray, mesh.margins);
+  if (mesh.empty() || is_nowhere(box)) return;
+  traverse(mesh, box, query, [&](std::uint32_t leaf) {
+    for_each_packet(mesh, leaf, [&](const TrianglePacket& packet) { find_in(packet, prepared, mesh.frames, query); });
+  });
+}
+
+/// Offers the ray's hits to `query`.
+template <class Query>
+constexpr void find(const PlainTree& tree, const Ray& ray, Query& query) {
+  const MeshRay prepared(ray);
+  const BoxRay box(ray, tree.margins);
+  if (tree.empty() || is_nowhere(box)) return;
+  traverse(tree, box, query, [&](std::uint32_t leaf) {
+    if (leaf < kPlaced)
+      return for_each_packet(tree, leaf,
+                             [&](const TrianglePacket& packet) { find_in(packet, prepared, tree.frames, query); });
+    const PlainTree::Placed& placed = tree.placed[leaf - kPlaced];
+    const FrameSet frames = placed.frames & query.frames();
+    if (frames.empty()) return;
+    const Ray own_ray = placed.in_object_space ? placed.to_world.inverse_ray(ray) : ray;
+    if (placed.mesh == nullptr) {
+      if (const auto hit = meet(placed.shape, own_ray)) query.offer({hit->t, placed.number, 0, hit->uv}, frames);
+      return;
+    }
+    Query own(FrameSet::single(0), query.limit());
+    find_on_mesh(*placed.mesh, own_ray, own);
+    pass_on(own, placed.number, frames, query);
+  });
+}
+
+}  // namespace dspm

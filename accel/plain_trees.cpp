@@ -1,0 +1,53 @@
+#include "dspm/accel/plain_trees.h"
+
+#include <algorithm>
+
+#include "dspm/accel/two_level.h"
+
+namespace dspm {
+
+int first_not_plain(std::span<const PlacedShape> shapes) {
+  const auto is_plain = [](const PlacedShape& s) {
+    return s.cutout == nullptr && (s.shape->triangles() != nullptr || s.shape->plain().has_value());
+  };
+  const auto found = std::ranges::find_if_not(shapes, is_plain);
+  return found == shapes.end() ? -1 : static_cast<int>(found - shapes.begin());
+}
+
+PlainTrees::PlainTrees(const TwoLevel& trees) {
+  query_.still = plain(trees.static_tree());
+  if (trees.dynamic_tree().empty()) return;
+  for (const Tree& tree : trees.trees_of_frames()) moving_.push_back(plain(tree));
+  query_.by_frame = !moving_.empty();
+  if (moving_.empty()) moving_.push_back(plain(trees.dynamic_tree()));
+  query_.moving = moving_.data();
+}
+
+PlainTree PlainTrees::plain(const Tree& tree) {
+  if (tree.empty()) return {};
+  std::vector<PlainTree::Placed>& placed = placed_.emplace_back();
+  for (const Tree::Placed& p : tree.placed_) {
+    PlainTree::Placed& own = placed.emplace_back();
+    own.to_world = p.shape->to_world, own.in_object_space = p.shape->in_object_space();
+    own.frames = p.shape->frames, own.number = p.number;
+    if (p.mesh != nullptr)
+      own.mesh = mesh(*p.mesh);
+    else
+      own.shape = *p.shape->shape->plain();
+  }
+  return {.nodes = tree.bvh_.nodes.data(),
+          .node_frames = tree.bvh_.node_frames.empty() ? nullptr : tree.bvh_.node_frames.data(),
+          .packets = tree.packets_.data(),
+          .placed = placed.data(),
+          .frames = tree.frames_.data(),
+          .root = tree.bvh_.root,
+          .margins = tree.margins_};
+}
+
+const PlainTree* PlainTrees::mesh(const Tree& tree) {
+  const auto [found, is_new] = meshes_.try_emplace(&tree);
+  if (is_new) found->second = plain(tree);
+  return &found->second;
+}
+
+}  // namespace dspm
