@@ -20,7 +20,7 @@ set(public_headers
   integrators/rejections.h integrators/seen_light.h integrators/statistics.h integrators/summed_iterations.h
   integrators/summing_integrator.h integrators/tiles.h
   lang/file_frames.h
-  lights/four_lamps.h lights/light.h lights/light_bounds.h lights/light_tree.h
+  lights/emission.h lights/four_lamps.h lights/light.h lights/light_bounds.h lights/light_tree.h
   materials/bsdf.h materials/interior.h materials/material.h materials/material_set.h materials/microfacet.h
   materials/parameters.h materials/refractive_index.h materials/shading_frame.h
   media/majorants.h media/medium.h
@@ -62,7 +62,7 @@ set(toolkit_headers
   integrators/transport/lobe_choice.h integrators/transport/nesting.h integrators/transport/path_step.h integrators/transport/roulette.h
   integrators/transport/shape_face.h integrators/transport/strand.h integrators/transport/strip_place.h
   integrators/transport/walk.h
-  lights/aim.h lights/strength.h
+  lights/aim.h lights/emitter_light.h lights/point_emitter.h lights/strength.h
   materials/albedo_table.h materials/boundary_tables.h materials/brushed_albedo.h materials/brushed_tables.h
   materials/fresnel.h materials/interface.h materials/made_up.h materials/per_surroundings.h materials/relief.h
   materials/rough_boundary.h materials/table_place.h
