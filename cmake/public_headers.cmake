@@ -10,7 +10,7 @@ set(public_headers
   base/params/errors.h base/params/params.h base/params/registry.h
   base/system/cancellation.h base/system/files_read.h base/system/parallel.h base/system/state_stream.h
   base/system/version.h base/system/work.h
-  cameras/camera.h
+  cameras/camera.h cameras/sighting.h
   image/film/pixel_filter.h image/film/pixel_rect.h
   image/image.h
   integrators/camera_numbers.h integrators/caught_light.h integrators/counters.h integrators/dimension.h integrators/emission_report.h
@@ -39,7 +39,8 @@ set(toolkit_headers
   base/colour/spectrum_lanes.h
   base/grid/buffer.h base/grid/point_grid.h base/grid/points_within.h
   base/math/frame_lanes.h
-  cameras/blades.h cameras/projection.h
+  cameras/blades.h cameras/camera_space.h cameras/orthographic_rays.h cameras/projection.h cameras/screen.h
+  cameras/thin_lens.h
   integrators/guiding/emission_of_file.h integrators/guiding/file_sample.h integrators/guiding/learn_direct.h
   integrators/guiding/learn_emission.h integrators/guiding/pilot_paths.h
   integrators/max_depth.h integrators/possible_state.h integrators/trace_tiles.h
