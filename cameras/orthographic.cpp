@@ -19,8 +19,8 @@
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
-#include "dspm/cameras/blades.h"
 #include "dspm/cameras/camera.h"
+#include "dspm/cameras/orthographic_rays.h"
 #include "dspm/cameras/projection.h"
 
 namespace dspm {
@@ -28,47 +28,23 @@ namespace {
 
 class Orthographic final : public Camera {
  public:
-  Orthographic(const Transform& to_world, const Projection& projection, const Blades& blades)
-      : to_world_(to_world),
-        screen_(projection.screen),
-        lens_(projection.lens),
-        blades_(blades),
-        spacing_(mean_spacing(to_world, screen_.pixel_size())) {}
+  explicit Orthographic(const OrthographicRays& rays) : rays_(rays) {}
 
-  Ray ray(Vec2 film, Vec2 lens) const override {
-    const Vec2 s = screen_.at(film);
-    return carried(to_world_, lens_.through({{s.x, s.y, 0}, {0, 0, 1}}, blades_.within(lens)));
-  }
-
-  float pixel_spacing(float) const override { return spacing_; }
-
-  std::optional<Sighting> sight(const Vec3& p, Vec2 lens) const override {
-    const Vec3 local = to_world_.inverse_point(p), offset = lens_.offset(blades_.within(lens));
-    if (!(local.z > 0)) return std::nullopt;
-    const Vec3 middle =
-        local - offset * (1 - local.z / lens_.focal_distance);  // of this pixel's lens, and of its focus
-    const Vec2 size = screen_.pixel_size();
-    return carried(to_world_, screen_.film_at({middle.x, middle.y}), local, Vec3{middle.x, middle.y, 0} + offset,
-                   1 / std::abs(size.x * size.y));
-  }
-
-  std::optional<Matrix4> image_from_camera() const override { return image_from_screen(screen_); }
+  Ray ray(Vec2 film, Vec2 lens) const override { return rays_.ray(film, lens); }
+  float pixel_spacing(float path_length) const override { return rays_.pixel_spacing(path_length); }
+  std::optional<Sighting> sight(const Vec3& p, Vec2 lens) const override { return rays_.sight(p, lens); }
+  std::optional<Matrix4> image_from_camera() const override { return image_from_screen(rays_.screen()); }
 
  private:
-  Transform to_world_;
-  Screen screen_;
-  ThinLens lens_;
-  Blades blades_;
-  float spacing_;
+  OrthographicRays rays_;
 };
 
 }  // namespace
 
 std::unique_ptr<Camera> make_orthographic(ParamReader& reader, const CameraContext& context) {
   const Projection projection = read_projection(reader, context);
-  const Blades blades(reader);
   reader.finish();
-  return std::make_unique<Orthographic>(context.to_world, projection, blades);
+  return std::make_unique<Orthographic>(OrthographicRays(context.to_world, projection.screen, projection.lens));
 }
 
 }  // namespace dspm

@@ -1,7 +1,9 @@
 #include "dspm/cameras/projection.h"
 
-#include "dspm/base/math/ray.h"
-#include "dspm/base/math/sampling.h"
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 
@@ -27,6 +29,25 @@ void read_window(ParamReader& reader, Screen& screen) {
   screen.left = window[0], screen.right = window[1], screen.bottom = window[2], screen.top = window[3];
 }
 
+Blades read_blades(ParamReader& reader) {
+  Blades blades;
+  blades.count = reader.integer("blades", 0, {}, "of the aperture, which make highlights polygons; 0: they are round");
+  blades.rotation =
+      reader.number("bladerotation", 0, "degrees", "of the polygon, anticlockwise as the camera sees it") * kPi / 180;
+  float ratio =
+      reader.number("anamorphic", 1, {}, "height over width of the lens' opening; its longer axis is the lens'");
+  if (blades.count != 0 && (blades.count < 3 || blades.count > 100)) {
+    reader.error("blades", "parameter \"blades\" of " + reader.subject() + " must be 0, or from 3 to 100");
+    blades.count = 0;
+  }
+  if (!(ratio > 0)) {
+    reader.error("anamorphic", "parameter \"anamorphic\" of " + reader.subject() + " must be above 0");
+    ratio = 1;
+  }
+  blades.width = std::min(1 / ratio, 1.f), blades.height = std::min(ratio, 1.f);
+  return blades;
+}
+
 }  // namespace
 
 // lang/shutter.h says when iterations are, and Job::exposure how bright images are for it.
@@ -39,18 +60,6 @@ void read_shutter(ParamReader& reader) {
       "shutterclose", 0, "frames",
       "when it closes: what moves until then blurs; in .pbrt files 1 unless given: images are multiplied by the "
       "seconds since it opened");
-}
-
-Ray ThinLens::through(const Ray& central, Vec2 u) const {
-  if (!(radius > 0)) return central;
-  const Vec3 focus = central.at(focal_distance / central.direction.z), origin = central.origin + offset(u);
-  return {origin, normalize(focus - origin)};
-}
-
-Vec3 ThinLens::offset(Vec2 u) const {
-  if (!(radius > 0)) return {};
-  const Vec2 place = concentric_disk(u) * radius;
-  return {place.x, place.y, 0};
 }
 
 float read_positive(ParamReader& reader, std::string_view name, float fallback, std::string_view unit,
@@ -73,6 +82,7 @@ Projection read_projection(ParamReader& reader, const CameraContext& context) {
     reader.error("lensradius", "parameter \"lensradius\" of " + reader.subject() + " must not be negative");
   p.lens.focal_distance = read_positive(reader, "focaldistance", 1e6f, "scene units", "distance of the plane of focus");
   read_shutter(reader);
+  p.lens.blades = read_blades(reader);
   return p;
 }
 
@@ -81,23 +91,6 @@ Matrix4 image_from_screen(const Screen& screen) {
   const auto bottom = static_cast<double>(screen.bottom), top = static_cast<double>(screen.top);
   return Matrix4::scale(2 / (right - left), 2 / (top - bottom), 1) *
          Matrix4::translate(-(left + right) / 2, -(bottom + top) / 2, 0);
-}
-
-Sighting carried_across(const Transform& to_world, Vec2 film, const Vec3& p, const Vec3& origin, float pixels) {
-  const Vec3 way = to_world.vector(origin - p), local = normalize(origin - p);
-  const Vec3 x = to_world.vector({1, 0, 0}), y = to_world.vector({0, 1, 0}), z = to_world.vector({0, 0, 1});
-  // A thin tube along w: its volume scales by the determinant, its length as w does, so its cross-section by the
-  // quotient.
-  const float section = std::abs(dot(cross(x, y), z)) / length(to_world.vector(local));
-  return {film, normalize(way), length(way), pixels / section};
-}
-
-Sighting carried(const Transform& to_world, Vec2 film, const Vec3& p, const Vec3& origin, float pixels) {
-  return carried_across(to_world, film, p, origin, pixels / std::abs(normalize(origin - p).z));
-}
-
-float mean_spacing(const Transform& to_world, Vec2 size) {
-  return std::sqrt(length(cross(to_world.vector({size.x, 0, 0}), to_world.vector({0, size.y, 0}))));
 }
 
 }  // namespace dspm

@@ -33,6 +33,7 @@
 #include "dspm/base/params/params.h"
 #include "dspm/base/system/plain_text.h"
 #include "dspm/cameras/camera.h"
+#include "dspm/cameras/camera_space.h"
 #include "dspm/cameras/exit_pupil.h"
 #include "dspm/cameras/lens_file.h"
 #include "dspm/cameras/projection.h"

@@ -22,6 +22,7 @@
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/cameras/camera.h"
+#include "dspm/cameras/camera_space.h"
 #include "dspm/cameras/projection.h"
 
 namespace dspm {

@@ -10,7 +10,7 @@ set(public_headers
   base/params/errors.h base/params/params.h base/params/registry.h
   base/system/cancellation.h base/system/files_read.h base/system/parallel.h base/system/state_stream.h
   base/system/version.h base/system/work.h
-  cameras/camera.h
+  cameras/camera.h cameras/sighting.h
   image/film/pixel_filter.h image/film/pixel_rect.h
   image/image.h
   integrators/camera_numbers.h integrators/caught_light.h integrators/counters.h integrators/dimension.h integrators/emission_report.h
@@ -20,7 +20,7 @@ set(public_headers
   integrators/rejections.h integrators/seen_light.h integrators/statistics.h integrators/summed_iterations.h
   integrators/summing_integrator.h integrators/tiles.h
   lang/file_frames.h
-  lights/four_lamps.h lights/light.h lights/light_bounds.h lights/light_tree.h
+  lights/emission.h lights/four_lamps.h lights/light.h lights/light_bounds.h lights/light_tree.h
   materials/bsdf.h materials/interior.h materials/material.h materials/material_set.h materials/microfacet.h
   materials/parameters.h materials/refractive_index.h materials/shading_frame.h
   media/majorants.h media/medium.h
@@ -39,7 +39,8 @@ set(toolkit_headers
   base/colour/spectrum_lanes.h
   base/grid/buffer.h base/grid/point_grid.h base/grid/points_within.h
   base/math/frame_lanes.h
-  cameras/blades.h cameras/projection.h
+  cameras/blades.h cameras/camera_space.h cameras/orthographic_rays.h cameras/projection.h cameras/screen.h
+  cameras/thin_lens.h
   integrators/guiding/emission_of_file.h integrators/guiding/file_sample.h integrators/guiding/learn_direct.h
   integrators/guiding/learn_emission.h integrators/guiding/pilot_paths.h
   integrators/max_depth.h integrators/possible_state.h integrators/trace_tiles.h
@@ -62,7 +63,7 @@ set(toolkit_headers
   integrators/transport/lobe_choice.h integrators/transport/nesting.h integrators/transport/path_step.h integrators/transport/roulette.h
   integrators/transport/shape_face.h integrators/transport/strand.h integrators/transport/strip_place.h
   integrators/transport/walk.h
-  lights/aim.h lights/strength.h
+  lights/aim.h lights/emitter_light.h lights/point_emitter.h lights/strength.h
   materials/albedo_table.h materials/boundary_tables.h materials/brushed_albedo.h materials/brushed_tables.h
   materials/fresnel.h materials/interface.h materials/made_up.h materials/per_surroundings.h materials/relief.h
   materials/rough_boundary.h materials/table_place.h

@@ -25,10 +25,10 @@
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/ray.h"
-#include "dspm/base/math/sampling.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/image/image.h"
+#include "dspm/lights/diffuse_emission.h"
 #include "dspm/lights/emission_pattern.h"
 #include "dspm/lights/emission_picture.h"
 #include "dspm/lights/emitter_points.h"
@@ -46,8 +46,8 @@ struct Glow {
   std::shared_ptr<const EmissionPattern> pattern = nullptr;  // likewise
 
   bool varies() const { return picture || pattern; }
-  bool two_sided = false;
-  bool hidden = false;  // no ray can hit it
+  DiffuseEmission directions = {};  // of light from each point
+  bool hidden = false;              // no ray can hit it
 };
 
 // Every density of a point is by area in the world. A light that no ray can hit is one in which each path picks a point
@@ -57,9 +57,10 @@ class DiffuseArea final : public Light {
   DiffuseArea(const PlacedShape& placed, Glow glow, const Strength& strength)
       : placed_(placed),
         glow_(std::move(glow)),
-        points_(placed, brightness(), glow_.pattern ? Measured::deferred : Measured::at_once, glow_.two_sided),
-        bounds_(bounds_of_emitter(placed, glow_.two_sided)) {
-    const Rgb flux_at_1 = points_.total() * (kPi * sides());
+        points_(placed, brightness(), glow_.pattern ? Measured::deferred : Measured::at_once,
+                glow_.directions.two_sided),
+        bounds_(bounds_of_emitter(placed, glow_.directions.two_sided)) {
+    const Rgb flux_at_1 = points_.total() * (kPi * glow_.directions.sides());
     glow_.radiance = glow_.radiance * strength.factor(luminance(flux_at_1));
     power_ = glow_.radiance * flux_at_1;
   }
@@ -70,14 +71,9 @@ class DiffuseArea final : public Light {
   std::optional<Emission> emit(Vec2 u_position, Vec2 u_direction) const override {
     if (points_.empty()) return std::nullopt;
     const EmitterPoints::Start s = points_.sample(u_position);
-    float side = 1;
-    if (glow_.two_sided) {
-      side = u_direction.x < 0.5f ? 1.f : -1.f;
-      u_direction.x = 2 * u_direction.x - (side < 0 ? 1.f : 0.f);
-    }
-    const Vec3 local = cosine_hemisphere(u_direction);
-    const Vec3 w = normalize(Basis::around(side * s.point.ng).to_world(local));
-    return Emission{s.point.spawn(w), radiance_at(s.point) * present_at(s.point) * (kPi * sides() / s.pdf_a),
+    const Vec3 w = glow_.directions.sample(s.point.ng, u_direction);
+    return Emission{s.point.spawn(w),
+                    radiance_at(s.point) * present_at(s.point) * (kPi * glow_.directions.sides() / s.pdf_a),
                     pdf(s.pdf_a, dot(s.point.ng, w)), s.point.ng, s.primitive};
   }
 
@@ -86,10 +82,7 @@ class DiffuseArea final : public Light {
   }
 
   EmissionNumbers emission_numbers(const Ray& start, const Vec3& normal, int primitive) const override {
-    const float side = glow_.two_sided && dot(normal, start.direction) < 0 ? -1.f : 1.f;
-    const Vec3 local = Basis::around(side * normal).to_local(start.direction);
-    Vec2 direction = concentric_disk_numbers({local.x, local.y});
-    if (glow_.two_sided) direction.x = 0.5f * (direction.x + (side < 0 ? 1.f : 0.f));
+    const Vec2 direction = glow_.directions.numbers(normal, start.direction);
     const auto place = points_.numbers(primitive, start.origin);
     if (!place) return {kAnyNumber, kAnyNumber, direction.x, direction.y};
     return {place->x, place->y, direction.x, direction.y};
@@ -109,8 +102,7 @@ class DiffuseArea final : public Light {
   }
 
   Rgb emitted(const SurfacePoint& point, const Vec3& w) const override {
-    const float cosine = dot(point.ng, w);
-    return cosine > 0 || (glow_.two_sided && cosine < 0) ? radiance_at(point) : Rgb();
+    return glow_.directions.shines(dot(point.ng, w)) ? radiance_at(point) : Rgb();
   }
 
   float pdf_w(const Vec3& from, const SurfacePoint& point, int primitive) const override {
@@ -120,7 +112,7 @@ class DiffuseArea final : public Light {
 
   std::optional<Rgb> ratio_to(const Light& other) const override {
     const auto* o = dynamic_cast<const DiffuseArea*>(&other);
-    if (o == nullptr || &placed_ != &o->placed_ || glow_.two_sided != o->glow_.two_sided ||
+    if (o == nullptr || &placed_ != &o->placed_ || glow_.directions.two_sided != o->glow_.directions.two_sided ||
         glow_.pattern != o->glow_.pattern || !(glow_.picture == o->glow_.picture))
       return std::nullopt;
     return ratio(glow_.radiance, o->glow_.radiance);
@@ -129,11 +121,8 @@ class DiffuseArea final : public Light {
  private:
   using Measured = EmitterPoints::Measured;
 
-  float sides() const { return glow_.two_sided ? 2.f : 1.f; }
-
   bool shines_along(const SurfacePoint& point, const Vec3& w) const {
-    const float cosine = dot(point.ng, w);
-    return (cosine > 0 || (glow_.two_sided && cosine < 0)) && !is_black(glow_.radiance);
+    return glow_.directions.shines(dot(point.ng, w)) && !is_black(glow_.radiance);
   }
   Rgb radiance_at(const SurfacePoint& point) const {
     return glow_.varies() ? glow_.radiance * relative_at(point) : glow_.radiance;
@@ -154,8 +143,7 @@ class DiffuseArea final : public Light {
 
   /// Returns the densities for the `cosine` of the direction to the normal.
   EmissionPdf pdf(float pdf_a, float cosine) const {
-    const float direction = cosine_hemisphere_pdf_w(glow_.two_sided ? std::abs(cosine) : cosine) / sides();
-    return {glow_.hidden ? 1 : pdf_a, direction, glow_.hidden, false};
+    return {glow_.hidden ? 1 : pdf_a, glow_.directions.pdf_w(cosine), glow_.hidden, false};
   }
 
   const PlacedShape& placed_;
@@ -186,7 +174,7 @@ std::unique_ptr<Light> make_diffuse_area(ParamReader& reader, const LightContext
   glow.radiance = reader.rgb("L", Rgb(1), SpectrumRole::illuminant, "radiance in all directions");
   const std::filesystem::path path =
       reader.optional_file("filename", "instead of L: a picture of the radiance, placed by texture coordinates");
-  glow.two_sided = reader.flag("twosided", false, "shines on both sides");
+  glow.directions.two_sided = reader.flag("twosided", false, "shines on both sides");
   glow.hidden = context.hidden;
   glow.pattern = std::move(pattern);
   const Strength strength = read_power(reader);

@@ -14,10 +14,11 @@
 //
 // [Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., 12.3]
 #include "dspm/base/colour/rgb.h"
-#include "dspm/base/math/ray.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/lights/aim.h"
+#include "dspm/lights/distant_emitter.h"
+#include "dspm/lights/emitter_light.h"
 #include "dspm/lights/light.h"
 #include "dspm/lights/scene_sphere.h"
 #include "dspm/lights/strength.h"
@@ -26,40 +27,15 @@
 namespace dspm {
 namespace {
 
-class Distant final : public Light {
+class Distant final : public EmitterLight<DistantEmitter> {
  public:
-  Distant(const SceneSphere& scene, const Vec3& towards_light, const Rgb& irradiance)
-      : scene_(scene), wi_(towards_light), irradiance_(irradiance) {}
-
-  Rgb power() const override { return irradiance_ * scene_.disk_area(); }
-
-  std::optional<Emission> emit(Vec2 u_position, Vec2) const override {
-    return Emission{scene_.entering(wi_, u_position), power(), pdf()};
-  }
-
-  EmissionPdf pdf_emit(const Ray&, const Vec3&, int) const override { return pdf(); }
-
-  EmissionNumbers emission_numbers(const Ray& start, const Vec3&, int) const override {
-    const Vec2 u = scene_.entering_numbers(start);
-    return {u.x, u.y, kAnyNumber, kAnyNumber};
-  }
-
-  std::optional<Illumination> illuminate(const Vec3&, Vec2) const override {
-    return Illumination{wi_, kInfinity, irradiance_, 0};
-  }
+  using EmitterLight::EmitterLight;
 
   std::optional<Rgb> ratio_to(const Light& other) const override {
     const auto* o = dynamic_cast<const Distant*>(&other);
-    if (o == nullptr || !(wi_ == o->wi_)) return std::nullopt;
-    return ratio(irradiance_, o->irradiance_);
+    if (o == nullptr || !(emitter().wi == o->emitter().wi)) return std::nullopt;
+    return ratio(emitter().irradiance, o->emitter().irradiance);
   }
-
- private:
-  EmissionPdf pdf() const { return {1 / scene_.disk_area(), 1, false, true}; }
-
-  SceneSphere scene_;
-  Vec3 wi_;
-  Rgb irradiance_;
 };
 
 float read_angle(ParamReader& reader) {
@@ -80,7 +56,8 @@ std::unique_ptr<Light> make_distant(ParamReader& reader, const LightContext& con
   reader.finish();
   const Vec3 towards_light = -normalize(context.to_world.vector(aim.along));
   if (angle > 0) return make_sun_disk(context, towards_light, received, angle);
-  return std::make_unique<Distant>(SceneSphere(context), towards_light, received);
+  const SceneSphere scene{context.scene_center, context.scene_radius};
+  return std::make_unique<Distant>(DistantEmitter{scene, towards_light, received});
 }
 
 }  // namespace dspm

@@ -44,7 +44,7 @@ namespace {
 class Infinite final : public Light {
  public:
   Infinite(const LightContext& context, EnvironmentMap map, float scale, std::optional<Background> background)
-      : scene_(context),
+      : scene_{context.scene_center, context.scene_radius},
         space_(context.to_world),
         map_(std::move(map)),
         scale_(scale),

@@ -11,53 +11,27 @@
 //
 // [Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., 12.2]
 #include "dspm/base/colour/rgb.h"
-#include "dspm/base/math/ray.h"
-#include "dspm/base/math/sampling.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
+#include "dspm/lights/emitter_light.h"
 #include "dspm/lights/light.h"
+#include "dspm/lights/point_emitter.h"
 #include "dspm/lights/strength.h"
 
 namespace dspm {
 namespace {
 
-class Point final : public Light {
+class Point final : public EmitterLight<PointEmitter> {
  public:
-  Point(const Vec3& p, const Rgb& intensity) : p_(p), intensity_(intensity) {}
+  using EmitterLight::EmitterLight;
 
-  Rgb power() const override { return 4 * kPi * intensity_; }
-
-  std::optional<LightBounds> bounds() const override { return LightBounds{{p_, p_}}; }
-
-  std::optional<Emission> emit(Vec2, Vec2 u_direction) const override {
-    return Emission{{p_, uniform_sphere(u_direction)}, power(), pdf()};
-  }
-
-  EmissionPdf pdf_emit(const Ray&, const Vec3&, int) const override { return pdf(); }
-
-  EmissionNumbers emission_numbers(const Ray& start, const Vec3&, int) const override {
-    const Vec2 u = uniform_sphere_numbers(start.direction);
-    return {kAnyNumber, kAnyNumber, u.x, u.y};
-  }
-
-  std::optional<Illumination> illuminate(const Vec3& p, Vec2) const override {
-    const Vec3 d = p_ - p;
-    const float distance = length(d);
-    if (!(distance > 0)) return std::nullopt;
-    return Illumination{d / distance, distance, intensity_ / (distance * distance), 0};
-  }
+  std::optional<LightBounds> bounds() const override { return LightBounds{{emitter().p, emitter().p}}; }
 
   std::optional<Rgb> ratio_to(const Light& other) const override {
     const auto* o = dynamic_cast<const Point*>(&other);
-    if (o == nullptr || !(p_ == o->p_)) return std::nullopt;
-    return ratio(intensity_, o->intensity_);
+    if (o == nullptr || !(emitter().p == o->emitter().p)) return std::nullopt;
+    return ratio(emitter().intensity, o->emitter().intensity);
   }
-
- private:
-  static EmissionPdf pdf() { return {1, kUniformSpherePdfW, true, false}; }
-
-  Vec3 p_;
-  Rgb intensity_;
 };
 
 }  // namespace
@@ -67,7 +41,7 @@ std::unique_ptr<Light> make_point(ParamReader& reader, const LightContext& conte
   const Vec3 from = reader.point("from", {}, "light space", "its position");
   const Strength strength = read_power(reader);
   reader.finish();
-  return std::make_unique<Point>(context.to_world.point(from), intensity * strength.factor(4 * kPi));
+  return std::make_unique<Point>(PointEmitter{context.to_world.point(from), intensity * strength.factor(4 * kPi)});
 }
 
 }  // namespace dspm

@@ -35,7 +35,7 @@ class PortalLight final : public Light {
  public:
   PortalLight(const LightContext& context, const EnvironmentMap& map, float scale, const Rectangle& portal,
               std::optional<Background> background)
-      : scene_(context),
+      : scene_{context.scene_center, context.scene_radius},
         portal_(portal),
         sky_{map, LightSpace(context.to_world), portal.basis},
         map_(map_of(sky_)),

@@ -4,7 +4,6 @@
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/sampling.h"
 #include "dspm/base/math/vec.h"
-#include "dspm/lights/light.h"
 
 namespace dspm {
 
@@ -14,17 +13,15 @@ struct SceneSphere {
 
   static constexpr float kClear = 1.01f;  // of the radius: exceeds any rounding error
 
-  explicit SceneSphere(const LightContext& context) : center(context.scene_center), radius(context.scene_radius) {}
-
-  float disk_area() const { return kPi * radius * radius; }
+  constexpr float disk_area() const { return kPi * radius * radius; }
   /// Returns a ray against the unit vector `towards_light`, uniform over the disk, that starts clear of the sphere.
-  Ray entering(const Vec3& towards_light, Vec2 u) const {
+  constexpr Ray entering(const Vec3& towards_light, Vec2 u) const {
     const Vec2 offset = concentric_disk(u) * radius;
     const Basis basis = Basis::around(towards_light);
     return {center + basis.to_world({offset.x, offset.y, kClear * radius}), -towards_light};
   }
   /// Returns the u with which that line enters.
-  Vec2 entering_numbers(const Ray& line) const {
+  constexpr Vec2 entering_numbers(const Ray& line) const {
     const Vec3 offset = Basis::around(-line.direction).to_local(line.origin - center);
     return concentric_disk_numbers(Vec2{offset.x, offset.y} * (1 / radius));
   }

@@ -78,7 +78,8 @@ std::unique_ptr<Light> make_sun_disk(const LightContext& context, const Vec3& to
                                      float angle) {
   const double s = std::sin(static_cast<double>(angle) / 720 * M_PI), rim = 2 * s * s;
   const auto faced = static_cast<float>(M_PI * rim * (2 - rim));
-  return std::make_unique<SunDisk>(SceneSphere(context), towards_light, irradiance / faced, static_cast<float>(rim));
+  const SceneSphere scene{context.scene_center, context.scene_radius};
+  return std::make_unique<SunDisk>(scene, towards_light, irradiance / faced, static_cast<float>(rim));
 }
 
 }  // namespace dspm
