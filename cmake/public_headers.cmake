@@ -65,8 +65,8 @@ set(toolkit_headers
   integrators/transport/walk.h
   lights/aim.h lights/emitter_light.h lights/point_emitter.h lights/strength.h
   materials/albedo_table.h materials/boundary_tables.h materials/brushed_albedo.h materials/brushed_tables.h
-  materials/fresnel.h materials/interface.h materials/made_up.h materials/per_surroundings.h materials/relief.h
-  materials/rough_boundary.h materials/table_place.h
+  materials/fresnel.h materials/interface.h materials/made_up.h materials/per_surroundings.h materials/plain_bsdf.h
+  materials/relief.h materials/rough_boundary.h materials/table_place.h
   media/henyey_greenstein.h
   shapes/beyond_hole.h shapes/curvature.h shapes/double_vec.h shapes/quadric.h shapes/rounding.h shapes/triangle.h
   textures/mapping.h)

@@ -22,13 +22,13 @@ class AlbedoTable {
   }
 
   /// Interpolates linearly between the table's entries, which lie closer for small cosines and alphas.
-  float of(float cos, float alpha) const {
+  constexpr float of(float cos, float alpha) const {
     const TablePlace row(alpha, kRows), column(cos, kColumns);
     const auto in_row = [&](int r) { return column.between(at(r, column.first), at(r, column.first + 1)); };
     return row.between(in_row(row.first), in_row(row.first + 1));
   }
   /// Returns the albedo of diffuse light: 2 times the integral of albedo times cosine.
-  float mean(float alpha) const {
+  constexpr float mean(float alpha) const {
     const TablePlace row(alpha, kRows);
     return row.between(means_[static_cast<std::size_t>(row.first)], means_[static_cast<std::size_t>(row.first) + 1]);
   }
@@ -37,10 +37,10 @@ class AlbedoTable {
   static constexpr int kRows = 24, kColumns = 32;
   static constexpr float kLeastCosine = 1e-3f;
 
-  static float cosine(int column) { return std::max(TablePlace::value(column, kColumns), kLeastCosine); }
+  static constexpr float cosine(int column) { return std::max(TablePlace::value(column, kColumns), kLeastCosine); }
 
-  float& at(int row, int column) { return values_[static_cast<std::size_t>(row * kColumns + column)]; }
-  float at(int row, int column) const { return values_[static_cast<std::size_t>(row * kColumns + column)]; }
+  constexpr float& at(int row, int column) { return values_[static_cast<std::size_t>(row * kColumns + column)]; }
+  constexpr float at(int row, int column) const { return values_[static_cast<std::size_t>(row * kColumns + column)]; }
 
   void find_means() {
     constexpr int kSteps = 400;

@@ -11,7 +11,7 @@ namespace dspm {
 struct BoundaryAlbedos {
   AlbedoTable reflected, reflected_or_refracted;
 
-  float refracted(float cos, float alpha) const {
+  constexpr float refracted(float cos, float alpha) const {
     return std::max(0.f, reflected_or_refracted.of(cos, alpha) - reflected.of(cos, alpha));
   }
 };

@@ -38,18 +38,18 @@ class BrushedAlbedo {
   }
 
   /// Returns a direction's azimuth, 0 along the rough tangent and 1 across, spaced evenly where albedos change.
-  static float turn(const Vec3& w, Vec2 alpha) {
-    const float along = std::abs(w.x) * std::sqrt(alpha.x), across = std::abs(w.y) * std::sqrt(alpha.y);
+  static constexpr float turn(const Vec3& w, Vec2 alpha) {
+    const float along = std::abs(w.x) * rounded::sqrt(alpha.x), across = std::abs(w.y) * rounded::sqrt(alpha.y);
     return along + across > 0 ? rounded::atan2(across, along) * 2 / kPi : 0.5f;
   }
 
   /// Interpolates linearly between the table's entries. alpha.x must be the greater.
-  float of(float cos, float turn, Vec2 alpha) const {
+  constexpr float of(float cos, float turn, Vec2 alpha) const {
     const Where where(alpha);
     return where.between([&](int narrow, int row) { return in_row(narrow, row, cos, turn); });
   }
   /// Returns the albedo of diffuse light.
-  float mean(Vec2 alpha) const {
+  constexpr float mean(Vec2 alpha) const {
     const Where where(alpha);
     return where.between([&](int narrow, int row) { return means_[static_cast<std::size_t>(narrow * kRows + row)]; });
   }
@@ -59,27 +59,29 @@ class BrushedAlbedo {
   static constexpr int kNarrow = 7, kRows = 10, kTurns = 6, kColumns = 16;
   static constexpr float kLeastAspect = 0.03162278f;  // of the roughest facets over the smoothest
 
-  static float square(float x) { return x * x; }
-  static float aspect(int narrow) { return 1 - (1 - kLeastAspect) * static_cast<float>(narrow) / (kNarrow - 1); }
+  static constexpr float square(float x) { return x * x; }
+  static constexpr float aspect(int narrow) {
+    return 1 - (1 - kLeastAspect) * static_cast<float>(narrow) / (kNarrow - 1);
+  }
 
   struct Where {
     int narrow;
     float further;
     TablePlace row;
-    explicit Where(Vec2 alpha) : row(alpha.x, kRows) {
-      const float aspect = std::sqrt(std::min(1.f, alpha.y / alpha.x));
+    constexpr explicit Where(Vec2 alpha) : row(alpha.x, kRows) {
+      const float aspect = rounded::sqrt(std::min(1.f, alpha.y / alpha.x));
       const float x = std::min(1.f, (1 - aspect) / (1 - kLeastAspect)) * (kNarrow - 1);
       narrow = std::min(static_cast<int>(x), kNarrow - 2), further = x - static_cast<float>(narrow);
     }
     template <class Fn>
-    float between(const Fn& fn) const {
+    constexpr float between(const Fn& fn) const {
       const auto at = [&](int n) { return row.between(fn(n, row.first), fn(n, row.first + 1)); };
       const float from = at(narrow);
       return from + further * (at(narrow + 1) - from);
     }
   };
 
-  float in_row(int narrow, int row, float cos, float turn) const {
+  constexpr float in_row(int narrow, int row, float cos, float turn) const {
     const TablePlace column(cos, kColumns);
     const float x = turn * (kTurns - 1);
     const int first = std::min(static_cast<int>(x), kTurns - 2);
@@ -93,8 +95,8 @@ class BrushedAlbedo {
   static Vec3 direction(float cos, int turn, const Ggx& facets) {
     const float angle = static_cast<float>(turn) / (kTurns - 1) * kPi / 2;
     const Vec2 alpha = facets.alpha();
-    const float x = rounded::cos(angle) / std::sqrt(alpha.x), y = rounded::sin(angle) / std::sqrt(alpha.y);
-    const float scale = std::sqrt((1 - cos * cos) / (x * x + y * y));
+    const float x = rounded::cos(angle) / rounded::sqrt(alpha.x), y = rounded::sin(angle) / rounded::sqrt(alpha.y);
+    const float scale = rounded::sqrt((1 - cos * cos) / (x * x + y * y));
     return {x * scale, y * scale, cos};
   }
 
@@ -111,11 +113,13 @@ class BrushedAlbedo {
     return static_cast<float>(2 * sum / (kUp * kAround));
   }
 
-  static std::size_t index(int narrow, int row, int turn, int column) {
+  static constexpr std::size_t index(int narrow, int row, int turn, int column) {
     return static_cast<std::size_t>(((narrow * kRows + row) * kTurns + turn) * kColumns + column);
   }
-  float& at(int narrow, int row, int turn, int column) { return values_[index(narrow, row, turn, column)]; }
-  float at(int narrow, int row, int turn, int column) const { return values_[index(narrow, row, turn, column)]; }
+  constexpr float& at(int narrow, int row, int turn, int column) { return values_[index(narrow, row, turn, column)]; }
+  constexpr float at(int narrow, int row, int turn, int column) const {
+    return values_[index(narrow, row, turn, column)];
+  }
 
   std::array<float, kNarrow * kRows * kTurns * kColumns> values_;
   std::array<float, kNarrow * kRows> means_;

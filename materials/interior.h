@@ -12,8 +12,8 @@ struct Interior {
   float g = 0;            // the mean cosine of scattering [Henyey and Greenstein 1941]
   float thrown_back = 0;  // the share of light that the surface throws back into the body, in all directions
 
-  bool is_empty() const { return is_black(sigma_t) && thrown_back == 0; }
-  friend bool operator==(const Interior&, const Interior&) = default;
+  constexpr bool is_empty() const { return is_black(sigma_t) && thrown_back == 0; }
+  friend constexpr bool operator==(const Interior&, const Interior&) = default;
 };
 
 }  // namespace dspm

@@ -1,4 +1,5 @@
-// A material says how a surface scatters light. Plugins: diffuse.cpp is the shortest to copy; plugins.cpp is the table.
+// A material says how a surface scatters light. Plugins: diffuse.cpp, with diffuse_bsdf.h, is the shortest to copy;
+// plugins.cpp is the table.
 #pragma once
 
 #include <memory>

@@ -16,8 +16,7 @@ class Ggx {
   static constexpr float kSmoothest = 1e-3f;
   static constexpr bool is_smooth(Vec2 alpha) { return std::max(alpha.x, alpha.y) < kSmoothest; }
 
-  constexpr explicit Ggx(Vec2 alpha)
-      : alpha_x_(std::max(alpha.x, kSmoothest)), alpha_y_(std::max(alpha.y, kSmoothest)) {}
+  constexpr explicit Ggx(Vec2 alpha) : alpha_x_(of_axis(alpha.x)), alpha_y_(of_axis(alpha.y)) {}
 
   constexpr float least_alpha() const { return std::min(alpha_x_, alpha_y_); }
   constexpr Vec2 alpha() const { return {alpha_x_, alpha_y_}; }
@@ -67,6 +66,9 @@ class Ggx {
   }
 
  private:
+  /// As std::max(), but by value: on a device, kSmoothest has no address.
+  static constexpr float of_axis(float alpha) { return alpha < kSmoothest ? kSmoothest : alpha; }
+
   float alpha_x_, alpha_y_;
 };
 

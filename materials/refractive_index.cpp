@@ -103,6 +103,7 @@ Refraction::Refraction(const RefractiveIndex& inside, const SurfacePoint& point)
   if (point.wavelength.nm == 0 || !(inside.disperses() || point.outside_dispersion != 1)) return;
   eta = inside.at(point.wavelength) / (point.outside_eta * point.outside_dispersion);
   wavelength = point.wavelength;
+  hue_ = wavelength.hue_on_refraction();
 }
 
 }  // namespace dspm

@@ -47,30 +47,37 @@ struct Refraction {
   Wavelength wavelength = {};
 
   Refraction(float at_wavelength, float mean, const Wavelength& of)
-      : eta(at_wavelength), mean_eta(mean), wavelength(of) {}
+      : eta(at_wavelength), mean_eta(mean), wavelength(of), hue_(of.hue_on_refraction()) {}
   Refraction(const RefractiveIndex& inside, const SurfacePoint& point);
 
-  bool disperses() const { return wavelength.nm != 0; }
+  constexpr bool disperses() const { return wavelength.nm != 0; }
   /// Returns whether what is mirrored on that side (+1 outside) depends on the wavelength. Where light comes from what is
   /// less dense it hardly does, so light keeps all of its colours; from what is denser, some wavelengths are mirrored
   /// totally, and others are not.
-  bool mirrors_by_wavelength(float side) const { return disperses() && (wavelength.alone || eta_from(side) < 1); }
+  constexpr bool mirrors_by_wavelength(float side) const {
+    return disperses() && (wavelength.alone || eta_from(side) < 1);
+  }
   /// The index by which it is mirrored on that side, beyond over here.
-  float mirroring_eta(float side) const {
+  constexpr float mirroring_eta(float side) const {
     const float inside_over_outside = mirrors_by_wavelength(side) ? eta : mean_eta;
     return side > 0 ? inside_over_outside : 1 / inside_over_outside;
   }
-  float eta_from(float side) const { return side > 0 ? eta : 1 / eta; }
+  constexpr float eta_from(float side) const { return side > 0 ? eta : 1 / eta; }
   /// The hue of what is mirrored on that side, and of what passes.
-  Spectrum hue_of_mirrored(float side) const { return mirrors_by_wavelength(side) ? hue_of_refracted() : Spectrum(1); }
-  Spectrum hue_of_refracted() const { return wavelength.hue_on_refraction(); }
+  constexpr Spectrum hue_of_mirrored(float side) const {
+    return mirrors_by_wavelength(side) ? hue_of_refracted() : Spectrum(1);
+  }
+  constexpr Spectrum hue_of_refracted() const { return hue_; }
   /// Gives a sample that leaves on the other side, or is mirrored on that `side`, its hue.
-  void apply_to(BsdfSample& sample, bool refracted, float side) const {
+  constexpr void apply_to(BsdfSample& sample, bool refracted, float side) const {
     if (!disperses()) return;
     sample.weight *= refracted ? hue_of_refracted() : hue_of_mirrored(side);
     sample.by_wavelength = refracted || mirrors_by_wavelength(side);
   }
-  friend bool operator==(const Refraction&, const Refraction&) = default;
+  friend constexpr bool operator==(const Refraction&, const Refraction&) = default;
+
+ private:
+  Spectrum hue_{1};  // looked up when it is constructed, as a device has no table of hues
 };
 
 }  // namespace dspm

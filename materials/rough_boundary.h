@@ -15,12 +15,12 @@ namespace dspm {
 
 /// Returns the factor by which transmitted light changes: beyond the interface, radiance is spread over a larger or
 /// smaller cone; flux is not. [Veach 1997, 5.2]
-inline float transport_scale(Transport transport, float eta) {
+constexpr float transport_scale(Transport transport, float eta) {
   return transport == Transport::radiance ? 1 / (eta * eta) : 1;
 }
 
 /// The solid angle of a facet's normal m over that of wi, for light that it refracts.
-inline float solid_angle_ratio(const Vec3& wo, const Vec3& wi, const Vec3& m, float eta) {
+constexpr float solid_angle_ratio(const Vec3& wo, const Vec3& wi, const Vec3& m, float eta) {
   const float root = dot(wi, m) + dot(wo, m) / eta;
   return std::abs(dot(wi, m)) / (root * root);
 }
@@ -32,7 +32,7 @@ struct Facet {
 };
 
 /// Returns the facet that sends light from wo to wi; nullopt if there is none.
-inline std::optional<Facet> facet_between(const Vec3& wo, const Vec3& wi, float eta) {
+constexpr std::optional<Facet> facet_between(const Vec3& wo, const Vec3& wi, float eta) {
   const bool reflected = wi.z > 0;
   Vec3 m = normalize(reflected ? wo + wi : wo + wi * eta);
   if (m.z < 0) m = -m;
@@ -43,11 +43,11 @@ inline std::optional<Facet> facet_between(const Vec3& wo, const Vec3& wi, float 
 
 /// f of refraction for flux, if the facets let all light through. [Walter et al. 2007, (21)], divided by eta^2 above
 /// and below the line.
-inline float refraction(const Ggx& facets, const Vec3& wo, const Vec3& wi, const Facet& facet) {
+constexpr float refraction(const Ggx& facets, const Vec3& wo, const Vec3& wi, const Facet& facet) {
   return facets.density(facet.m) * facets.visible(wo, wi) * dot(wo, facet.m) * facet.solid_angle_ratio / (wo.z * -wi.z);
 }
 /// The density by solid angle of the direction to which a facet from sample_visible() refracts wo.
-inline float refraction_density(const Ggx& facets, const Vec3& wo, const Facet& facet) {
+constexpr float refraction_density(const Ggx& facets, const Vec3& wo, const Facet& facet) {
   return facets.visible_density(wo, facet.m) * facet.solid_angle_ratio;
 }
 

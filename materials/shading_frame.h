@@ -17,24 +17,26 @@ namespace dspm {
 
 class ShadingFrame {
  public:
-  explicit ShadingFrame(const SurfacePoint& point) : ShadingFrame(point.ns, point.ng, point.dpdu) {}
-  ShadingFrame(const Vec3& ns, const Vec3& ng, const Vec3& tangent)
+  constexpr explicit ShadingFrame(const SurfacePoint& point) : ShadingFrame(point.ns, point.ng, point.dpdu) {}
+  constexpr ShadingFrame(const Vec3& ns, const Vec3& ng, const Vec3& tangent)
       : x_(Basis::around(ns, tangent).x), z_(ns), ng_(ng) {}
 
   /// +1 outside, -1 inside, by the geometric normal.
-  float side(const Vec3& w) const { return dot(w, ng_) > 0 ? 1.f : -1.f; }
-  const Vec3& x() const { return x_; }
-  const Vec3& ns() const { return z_; }
-  const Vec3& ng() const { return ng_; }
+  constexpr float side(const Vec3& w) const { return dot(w, ng_) > 0 ? 1.f : -1.f; }
+  constexpr const Vec3& x() const { return x_; }
+  constexpr const Vec3& ns() const { return z_; }
+  constexpr const Vec3& ng() const { return ng_; }
   /// Converts w to the shading frame, which is mirrored if `side` is -1.
-  Vec3 local(const Vec3& w, float side) const { return {dot(w, x_), dot(w, cross(z_, x_)), side * dot(w, z_)}; }
-  Vec3 world(const Vec3& w, float side) const { return x_ * w.x + cross(z_, x_) * w.y + z_ * (side * w.z); }
+  constexpr Vec3 local(const Vec3& w, float side) const {
+    return {dot(w, x_), dot(w, cross(z_, x_)), side * dot(w, z_)};
+  }
+  constexpr Vec3 world(const Vec3& w, float side) const { return x_ * w.x + cross(z_, x_) * w.y + z_ * (side * w.z); }
 
   /// Returns wo as formulas see it, above; nullopt if light comes from where ns does not face it.
-  std::optional<Vec3> arrive(const Vec3& wo, float side, Transport transport) const {
+  constexpr std::optional<Vec3> arrive(const Vec3& wo, float side, Transport transport) const {
     Vec3 o = local(wo, side);
     if (transport == Transport::radiance) o.z = std::abs(o.z);
-    return o.z > 0 ? std::optional(o) : std::nullopt;
+    return o.z > 0 ? std::optional<Vec3>(o) : std::nullopt;
   }
 
   struct Leaving {
@@ -43,7 +45,7 @@ class ShadingFrame {
   };
   /// Returns the world direction of a sampled local one, chosen by `u` if there are two; nullopt if ng puts it on the
   /// other side.
-  std::optional<Leaving> leave(const Vec3& local_wi, float side, Transport transport, float u) const {
+  constexpr std::optional<Leaving> leave(const Vec3& local_wi, float side, Transport transport, float u) const {
     if (local_wi.z == 0) return std::nullopt;
     const float to = local_wi.z > 0 ? side : -side;
     const Vec3 wi = world(local_wi, side), other = twin(wi);
@@ -52,18 +54,21 @@ class ShadingFrame {
     if (fits && other_fits) return Leaving{is_first(u) ? wi : other, 0.5f};
     return Leaving{fits ? wi : other, 1};
   }
-  float share(const Vec3& wi, Transport transport) const {
+  constexpr float share(const Vec3& wi, Transport transport) const {
     return is_camera(transport) && side(twin(wi)) == side(wi) ? 0.5f : 1.f;
   }
 
-  friend bool operator==(const ShadingFrame&, const ShadingFrame&) = default;
+  friend constexpr bool operator==(const ShadingFrame&, const ShadingFrame&) = default;
 
  private:
-  Vec3 twin(const Vec3& w) const { return w - z_ * (2 * dot(w, z_)); }
+  constexpr Vec3 twin(const Vec3& w) const { return w - z_ * (2 * dot(w, z_)); }
   /// Returns whether wi is the camera's direction, which may have a twin on its side.
-  bool is_camera(Transport transport) const { return transport == Transport::flux && !(z_ == ng_); }
+  constexpr bool is_camera(Transport transport) const { return transport == Transport::flux && !(z_ == ng_); }
   /// Chooses by the last digits of a number whose first digits chose the local direction.
-  static bool is_first(float u) { return u * 4096 - std::floor(u * 4096) < 0.5f; }
+  static constexpr bool is_first(float u) {
+    const float last_digits = u * 4096 - static_cast<float>(static_cast<int>(u * 4096));
+    return last_digits < 0.5f;
+  }
 
   Vec3 x_, z_;  // y is known from them: a Bsdf has little room
   Vec3 ng_;
@@ -77,7 +82,7 @@ struct LocalPair {
   bool valid;
   float share;  // of the density of the local wi
 
-  LocalPair(const ShadingFrame& frame, const Vec3& world_wo, const Vec3& world_wi, Transport transport)
+  constexpr LocalPair(const ShadingFrame& frame, const Vec3& world_wo, const Vec3& world_wi, Transport transport)
       : side(frame.side(world_wo)),
         wo(frame.local(world_wo, side)),
         wi(frame.local(world_wi, side)),
@@ -89,7 +94,7 @@ struct LocalPair {
       wi.z = std::copysign(wi.z, to);
     valid = wo.z > 0 && to * wi.z > 0;
   }
-  bool reflection() const { return valid && wi.z > 0; }
+  constexpr bool reflection() const { return valid && wi.z > 0; }
 };
 
 }  // namespace dspm

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
+
+#include "dspm/base/math/rounded.h"
 
 namespace dspm {
 
@@ -10,16 +11,16 @@ struct TablePlace {
   int first;
   float fraction;
 
-  TablePlace(float value, int count) {
-    const float x = std::sqrt(std::clamp(value, 0.f, 1.f)) * static_cast<float>(count - 1);
+  constexpr TablePlace(float value, int count) {
+    const float x = rounded::sqrt(std::clamp(value, 0.f, 1.f)) * static_cast<float>(count - 1);
     first = std::min(static_cast<int>(x), count - 2), fraction = x - static_cast<float>(first);
   }
   /// The value of an entry.
-  static float value(int i, int count) {
+  static constexpr float value(int i, int count) {
     const float x = static_cast<float>(i) / static_cast<float>(count - 1);
     return x * x;
   }
-  float between(float a, float b) const { return a + fraction * (b - a); }
+  constexpr float between(float a, float b) const { return a + fraction * (b - a); }
 };
 
 }  // namespace dspm

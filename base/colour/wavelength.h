@@ -23,8 +23,8 @@ struct Wavelength {
   /// Returns the factor to f where the path is refracted by its wavelength.
   Spectrum hue_on_refraction() const;
   /// Returns the wavelength if the path's light has it alone and lacks its hue, else 0.
-  std::int16_t only_nm() const { return alone && !weighs ? nm : std::int16_t{0}; }
-  friend bool operator==(const Wavelength&, const Wavelength&) = default;
+  constexpr std::int16_t only_nm() const { return alone && !weighs ? nm : std::int16_t{0}; }
+  friend constexpr bool operator==(const Wavelength&, const Wavelength&) = default;
 };
 
 /// Returns a number in [0, 1) for each iteration. Those of 2, 4, 8, 16 or 32 iterations are equally far apart, if 0 is next

@@ -13,9 +13,9 @@
 #include "dspm/materials/made_up.h"
 #include "dspm/materials/microfacet.h"
 #include "dspm/materials/principled/principled_bsdf.h"
-#include "dspm/materials/sheen.h"
+#include "dspm/materials/principled/sheen.h"
+#include "dspm/materials/principled/tilt.h"
 #include "dspm/materials/thin_film.h"
-#include "dspm/materials/tilt.h"
 
 namespace dspm {
 

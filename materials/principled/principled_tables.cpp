@@ -6,7 +6,7 @@
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/facet_albedo.h"
 #include "dspm/materials/metal_tables.h"
-#include "dspm/materials/sheen.h"
+#include "dspm/materials/principled/sheen.h"
 #include "dspm/materials/thin_film.h"
 
 namespace dspm {

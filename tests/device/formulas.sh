@@ -43,6 +43,7 @@ by_clang() {
 }
 by_nvcc() {
   ptx "$1" "NVIDIA by nvcc" "$nvcc" --expt-relaxed-constexpr -arch=sm_75 -fmad=false -ptx
+  refuse "code that nvcc has left out" '^[[:space:]]*trap;'
   if [[ $1 == formulas ]]; then has_bits; fi
 }
 
