@@ -27,7 +27,7 @@ set(public_headers
   session/job/choices.h
   session/modules/module.h session/modules/stamp.h
   session/renderer.h
-  shapes/cutout.h shapes/placed_shape.h shapes/shape.h shapes/triangle_mesh.h
+  shapes/cutout.h shapes/placed_shape.h shapes/shape.h shapes/surface_geometry.h shapes/triangle_mesh.h
   textures/image_cache.h textures/mip_map.h textures/plugins.h textures/texture.h textures/texture_set.h
   world/scene/frame_states.h world/scene/inside.h world/scene/light_samples.h world/scene/scene.h
   world/scene/scene_media.h)
@@ -68,5 +68,6 @@ set(toolkit_headers
   materials/fresnel.h materials/interface.h materials/made_up.h materials/per_surroundings.h materials/plain_bsdf.h
   materials/relief.h materials/rough_boundary.h materials/table_place.h
   media/henyey_greenstein.h
-  shapes/beyond_hole.h shapes/curvature.h shapes/double_vec.h shapes/quadric.h shapes/rounding.h shapes/triangle.h
+  shapes/beyond_hole.h shapes/curvature.h shapes/cylinder.h shapes/disk.h shapes/double_vec.h
+  shapes/quadric.h shapes/quadric_shape.h shapes/rounding.h shapes/sphere.h shapes/triangle.h
   textures/mapping.h)

@@ -95,9 +95,10 @@ void def_array(py::class_<Class>& of, const char* name, std::vector<T> Class::*m
   };
   of.def_property_readonly(name, get, doc);
 }
-/// The same of one field of its values.
-template <class Class, class S, class T>
-void def_field(py::class_<Class>& of, const char* name, std::vector<S> Class::*member, T S::*field, const char* doc) {
+/// The same of one field of its values, or of their base.
+template <class Class, class S, class Base, class T>
+void def_field(py::class_<Class>& of, const char* name, std::vector<S> Class::*member, T Base::*field,
+               const char* doc) {
   const auto get = [member, field](const py::object& self) {
     std::vector<S>& values = self.cast<Class&>().*member;
     return view(values.empty() ? nullptr : &(values.front().*field), values.size(), sizeof(S), self);

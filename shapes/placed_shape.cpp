@@ -8,26 +8,11 @@
 #include "dspm/base/math/rng.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/shapes/beyond_hole.h"
+#include "dspm/shapes/in_world.h"
 #include "dspm/shapes/placed_bounds.h"
-#include "dspm/shapes/rounding.h"
 
 namespace dspm {
 namespace {
-
-// |M| v for a linear map M: the image of an error box.
-template <class Map>
-Vec3 absolute(const Map& map, const Vec3& v) {
-  return abs(map(Vec3{1, 0, 0})) * v.x + abs(map(Vec3{0, 1, 0})) * v.y + abs(map(Vec3{0, 0, 1})) * v.z;
-}
-
-// Bound on the world-space error of a point that is transformed to the world and back to object space: each matrix is
-// rounded (one rounding per entry) and applied (three), and they are inverse to each other up to that.
-Vec3 round_trip_error(const Transform& t, const Vec3& p_object, const Vec3& p_world) {
-  const auto forward = [&](const Vec3& v) { return t.vector(v); };
-  const auto backward = [&](const Vec3& v) { return t.inverse_vector(v); };
-  const Vec3 back = absolute(backward, abs(p_world)) + abs(t.inverse_point({}));
-  return 2 * t.point_error(p_object) + gamma_bound(5) * absolute(forward, back);
-}
 
 /// Returns a number in [0, 1) that is a function of a ray's bits and of the point at which it meets a shape.
 float number_of(const Ray& ray, std::uint64_t shape, int primitive, Vec2 uv) {
@@ -86,17 +71,8 @@ Strip PlacedShape::strip(int primitive, Vec2 uv, const Vec3& direction) const {
 }
 
 SurfacePoint PlacedShape::in_world(SurfacePoint s) const {
-  if (in_object_space()) {
-    const Vec3 p = to_world.point(s.p);
-    s.p_error =
-        absolute([&](const Vec3& v) { return to_world.vector(v); }, s.p_error) + round_trip_error(to_world, s.p, p);
-    s.p = p;
-    s.ng = normalize(to_world.normal(s.ng));
-    s.ns = normalize(to_world.normal(s.ns));
-    if (!(dot(s.ns, s.ng) > 0)) s.ns = s.ng;
-    s.dpdu = to_world.vector(s.dpdu), s.dpdv = to_world.vector(s.dpdv);
-  }
-  if (flip_normals) s.ng = -s.ng, s.ns = -s.ns;
+  if (in_object_space()) move_to_world(s, to_world);
+  if (flip_normals) dspm::flip_normals(s);
   return s;
 }
 
@@ -107,9 +83,7 @@ AreaSample PlacedShape::sample_area(int primitive, Vec2 u) const {
 }
 
 float PlacedShape::pdf_a(int primitive, const Vec3& ng) const {
-  const Vec3 n{dot(ng, to_world.vector({1, 0, 0})), dot(ng, to_world.vector({0, 1, 0})),
-               dot(ng, to_world.vector({0, 0, 1}))};
-  return 1 / (shape->area(primitive) * area_scale(normalize(n)));
+  return 1 / (shape->area(primitive) * area_scale(own_normal(to_world, ng)));
 }
 
 bool PlacedShape::stops(const Ray& ray, int primitive, Vec2 uv) const {
@@ -123,11 +97,7 @@ std::optional<Vec2> PlacedShape::area_numbers(int primitive, const Vec3& p) cons
   return shape->area_numbers(primitive, in_object_space() ? to_world.inverse_point(p) : p);
 }
 
-float PlacedShape::area_scale(const Vec3& n) const {
-  if (!in_object_space()) return 1;
-  const Basis tangents = Basis::around(n);
-  return length(cross(to_world.vector(tangents.x), to_world.vector(tangents.y)));
-}
+float PlacedShape::area_scale(const Vec3& n) const { return in_object_space() ? dspm::area_scale(to_world, n) : 1; }
 
 bool are_placed_alike(const PlacedShape& a, const PlacedShape& b) {
   return a.shape == b.shape && same_bits(a.to_world, b.to_world) && a.frames == b.frames &&

@@ -1,5 +1,5 @@
 // The interface of geometry: primitives that a tree can bound and a ray can hit, and the surface at a hit. Plugins:
-// sphere.cpp is the shortest to copy; plugins.cpp is the table.
+// sphere.cpp, with sphere.h and quadric_shape.h, is the shortest to copy; plugins.cpp is the table.
 #pragma once
 
 #include <filesystem>
@@ -16,26 +16,14 @@
 #include "dspm/base/math/vertex_data.h"
 #include "dspm/base/params/params.h"
 #include "dspm/base/params/registry.h"
+#include "dspm/shapes/surface_geometry.h"
 
 namespace dspm {
 
 class TriangleMesh;
 
-/// The hit of a ray on a primitive: distance in units of the ray's direction, and the place on the primitive.
-struct PrimitiveHit {
-  float t;
-  Vec2 uv;  // on the primitive: barycentrics of a triangle's second and third vertex, angles of a sphere, ...
-};
-
 /// The surface at a hit.
-struct SurfacePoint {
-  Vec3 p;
-  Vec3 p_error;  // bound on the rounding error of p, per coordinate
-  Vec3 ng;       // geometric normal, unit length, pointing outward
-  Vec3 ns;       // shading normal, unit length, in the half space of ng
-  Vec3 dpdu;     // derivative of p by uv.x; any tangent, not zero, if dpdv is zero
-  Vec2 uv;       // texture coordinates
-  Vec3 dpdv{};   // derivative of p by uv.y; zero if a shape does not know it: lookups by uv are then not filtered
+struct SurfacePoint : SurfaceGeometry {
   // The footprint, which texture lookups average over: the axes of an ellipse in the surface; zero for a point.
   Vec3 dpdx{}, dpdy{};
   // The shading normal without the material's relief; zero: there is none. A coat may lie smoothly over a rough base.
@@ -52,9 +40,6 @@ struct SurfacePoint {
   const Palette* palette = &Palette::rgb();  // likewise
   VertexPlace vertices{};                    // of a mesh with colours of vertices or second texture coordinates
 
-  /// A ray that leaves the surface in direction w (unit length), from a point further off p than its error, on w's side
-  /// of ng.
-  Ray spawn(const Vec3& w, float t_max = kInfinity) const;
   /// Makes the footprint what a disk of this diameter, perpendicular to w (unit length), covers of the surface.
   void cover(const Vec3& w, float diameter);
 };

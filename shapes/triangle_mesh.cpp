@@ -6,22 +6,13 @@
 #include <stdexcept>
 
 #include "dspm/base/math/ray.h"
-#include "dspm/base/math/sampling.h"
 #include "dspm/base/math/vec.h"
-#include "dspm/shapes/rounding.h"
+#include "dspm/shapes/double_vec.h"
+#include "dspm/shapes/mesh_view.h"
 #include "dspm/shapes/triangle.h"
 
 namespace dspm {
 namespace {
-
-// Trees that test triangles in float alone round coordinates relative to the ray's origin: a point's error is at least
-// this many roundings of the triangle's size, even on a plane such as z = 0 whose points have no error of their own.
-constexpr int kSizeRoundings = 4;
-
-Vec3 unit_normal(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
-  const DoubleVec3 n = area_vector(p0, p1, p2);
-  return narrow(n * (1 / length(n)));
-}
 
 const Vec3& at(const std::vector<Vec3>& values, int index) { return values[static_cast<std::size_t>(index)]; }
 
@@ -102,41 +93,21 @@ std::optional<PrimitiveHit> TriangleMesh::intersect(int primitive, const Ray& ra
   return dspm::intersect(TriangleRay(ray), vertex(primitive, 0), vertex(primitive, 1), vertex(primitive, 2), ray.t_max);
 }
 
+MeshView TriangleMesh::view() const {
+  const auto array = [](const auto& of_vertices) { return of_vertices.empty() ? nullptr : of_vertices.data(); };
+  return {.vertices = data_.vertices.data(),
+          .faces = data_.faces.data(),
+          .normals = array(data_.normals),
+          .uvs = array(data_.uvs),
+          .tangents = array(data_.tangents)};
+}
+
 SurfacePoint TriangleMesh::surface_point(int primitive, Vec2 uv) const {
-  const Vec3 &p0 = vertex(primitive, 0), &p1 = vertex(primitive, 1), &p2 = vertex(primitive, 2);
-  const Vec3 b{1 - uv.x - uv.y, uv.x, uv.y};
-  const Vec3 c0 = p0 * b.x, c1 = p1 * b.y, c2 = p2 * b.z;
-  const float size = std::max(max_component(abs(p1 - p0)), max_component(abs(p2 - p0)));
-  const float size_error = gamma_bound(kSizeRoundings) * size;
-
-  SurfacePoint s;
-  s.p = c0 + c1 + c2;
-  s.p_error = gamma_bound(7) * (abs(c0) + abs(c1) + abs(c2)) + Vec3{size_error, size_error, size_error};
-  s.ng = unit_normal(p0, p1, p2);
-  s.ns = shading_normal(primitive, b, s.ng);
-  if (data_.uvs.empty()) {  // see corner_uvs
-    s.dpdu = p1 - p0, s.dpdv = p2 - p1;
-    s.uv = {b.y + b.z, b.z};
-  } else {
-    const auto t = corner_uvs(primitive);
-    set_tangents(s, primitive, t);
-    s.uv = t[0] * b.x + t[1] * b.y + t[2] * b.z;
-  }
+  std::optional<bool> turned;
+  if (!data_.turned.empty()) turned = data_.turned[static_cast<std::size_t>(index(primitive, 0))];
+  SurfacePoint s = view().surface_point<SurfacePoint>(primitive, uv, turned);
   if (!data_.second_uvs.empty() || !data_.colours.empty()) s.vertices = {this, primitive, uv};
-  if (!data_.tangents.empty()) take_given_tangent(s, primitive, b);
   return s;
-}
-
-std::array<Vec2, 3> TriangleMesh::corner_uvs(int face) const {
-  if (data_.uvs.empty()) return {Vec2{0, 0}, Vec2{1, 0}, Vec2{1, 1}};  // as pbrt
-  return corners_of(data_.uvs, face);
-}
-
-std::array<Vec2, 3> TriangleMesh::corners_of(const std::vector<Vec2>& uvs, int face) const {
-  std::array<Vec2, 3> result;
-  for (int corner = 0; corner < 3; ++corner)
-    result[static_cast<std::size_t>(corner)] = uvs[static_cast<std::size_t>(index(face, corner))];
-  return result;
 }
 
 std::array<float, 4> TriangleMesh::vertex_colour(int triangle, Vec2 at) const {
@@ -151,9 +122,10 @@ std::array<float, 4> TriangleMesh::vertex_colour(int triangle, Vec2 at) const {
 
 // Solves w_i - w_0 = (u_i - u_0) dw/du + (v_i - v_0) dw/dv for the second coordinates w.
 VertexData::SecondUv TriangleMesh::second_uv(int triangle, Vec2 at) const {
-  const auto first = corner_uvs(triangle);
+  const MeshView mesh = view();
+  const auto first = mesh.corner_uvs(triangle);
   const auto& own = data_.second_uvs;
-  const auto second = own.empty() ? first : corners_of(own, triangle);
+  const auto second = own.empty() ? first : mesh.corners_of(own.data(), triangle);
   SecondUv result{second[0] * (1 - at.x - at.y) + second[1] * at.x + second[2] * at.y, {}, {}};
   const Vec2 a = first[1] - first[0], b = first[2] - first[0], da = second[1] - second[0], db = second[2] - second[0];
   const float determinant = a.x * b.y - b.x * a.y;
@@ -164,52 +136,12 @@ VertexData::SecondUv TriangleMesh::second_uv(int triangle, Vec2 at) const {
   return result;
 }
 
-// Solves p_i - p_2 = (u_i - u_2) dp/du + (v_i - v_2) dp/dv; any tangent if the texture coordinates are degenerate.
-void TriangleMesh::set_tangents(SurfacePoint& point, int face, const std::array<Vec2, 3>& t) const {
-  const Vec2 uv02 = t[0] - t[2], uv12 = t[1] - t[2];
-  const Vec3 p02 = vertex(face, 0) - vertex(face, 2), p12 = vertex(face, 1) - vertex(face, 2);
-  const float determinant = uv02.x * uv12.y - uv02.y * uv12.x;
-  const Vec3 dpdu = (p02 * uv12.y - p12 * uv02.y) / determinant, dpdv = (p12 * uv02.x - p02 * uv12.x) / determinant;
-  const bool usable = std::abs(determinant) > 1e-9f && is_finite(dpdu) && length2(cross(point.ng, dpdu)) > 0;
-  point.dpdu = usable ? dpdu : Basis::around(point.ng).x;
-  if (usable && is_finite(dpdv)) point.dpdv = dpdv;
-}
+float TriangleMesh::area(int primitive) const { return view().area(primitive); }
 
-/// Takes the given tangent. It is a direction, so the derivative keeps its length; which way v runs may be given as
-/// well.
-void TriangleMesh::take_given_tangent(SurfacePoint& point, int face, const Vec3& barycentrics) const {
-  const Vec3 given = at_point(data_.tangents, face, barycentrics), across = cross(point.ns, given);
-  if (!is_finite(given) || !(length2(across) > 0)) return;
-  point.dpdu = given * (length(point.dpdu) / length(given));
-  if (data_.turned.empty()) return;
-  const bool turned = data_.turned[static_cast<std::size_t>(index(face, 0))];
-  if ((dot(across, point.dpdv) < 0) != turned) point.dpdv = -point.dpdv;
-}
-
-Vec3 TriangleMesh::shading_normal(int face, const Vec3& barycentrics, const Vec3& ng) const {
-  if (data_.normals.empty()) return ng;
-  const Vec3 n = at_point(data_.normals, face, barycentrics);
-  return dot(n, ng) > 0 ? normalize(n) : ng;
-}
-
-Vec3 TriangleMesh::at_point(const std::vector<Vec3>& of_vertices, int face, const Vec3& barycentrics) const {
-  return at(of_vertices, index(face, 0)) * barycentrics.x + at(of_vertices, index(face, 1)) * barycentrics.y +
-         at(of_vertices, index(face, 2)) * barycentrics.z;
-}
-
-float TriangleMesh::area(int primitive) const {
-  const DoubleVec3 n = area_vector(vertex(primitive, 0), vertex(primitive, 1), vertex(primitive, 2));
-  return static_cast<float>(0.5 * length(n));
-}
-
-Vec2 TriangleMesh::sample_area(int, Vec2 u) const { return uniform_triangle(u); }
+Vec2 TriangleMesh::sample_area(int, Vec2 u) const { return MeshView::sample_area(u); }
 
 std::optional<Vec2> TriangleMesh::area_numbers(int primitive, const Vec3& p) const {
-  const Vec3 &a = vertex(primitive, 0), e1 = vertex(primitive, 1) - a, e2 = vertex(primitive, 2) - a;
-  const Vec3 n = cross(e1, e2), to_p = p - a;
-  const float twice_area2 = length2(n);
-  if (!(twice_area2 > 0)) return std::nullopt;
-  return uniform_triangle_numbers({dot(cross(to_p, e2), n) / twice_area2, dot(cross(e1, to_p), n) / twice_area2});
+  return view().area_numbers(primitive, p);
 }
 
 }  // namespace dspm

@@ -15,6 +15,8 @@
 
 namespace dspm {
 
+struct MeshView;
+
 /// Indices of a triangle's vertices.
 using Face = std::array<int, 3>;
 
@@ -46,6 +48,8 @@ class TriangleMesh final : public Shape, public VertexData {
   const std::vector<Face>& faces() const { return data_.faces; }
   const std::vector<Vec3>& tangents() const { return data_.tangents; }
   const MeshData& data() const { return data_; }
+  /// Returns the arrays for mesh_view.h; it is valid as long as the mesh.
+  MeshView view() const;
   const Vec3& vertex(int face, int corner) const {
     return data_.vertices[static_cast<std::size_t>(index(face, corner))];
   }
@@ -69,12 +73,6 @@ class TriangleMesh final : public Shape, public VertexData {
   int index(int face, int corner) const {
     return data_.faces[static_cast<std::size_t>(face)][static_cast<std::size_t>(corner)];
   }
-  std::array<Vec2, 3> corner_uvs(int face) const;
-  std::array<Vec2, 3> corners_of(const std::vector<Vec2>& uvs, int face) const;
-  void set_tangents(SurfacePoint& point, int face, const std::array<Vec2, 3>& uvs) const;
-  void take_given_tangent(SurfacePoint& point, int face, const Vec3& barycentrics) const;
-  Vec3 at_point(const std::vector<Vec3>& of_vertices, int face, const Vec3& barycentrics) const;
-  Vec3 shading_normal(int face, const Vec3& barycentrics, const Vec3& ng) const;
 
   MeshData data_;
 };

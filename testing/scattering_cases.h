@@ -14,7 +14,7 @@ namespace dspm::test {
 
 /// A surface whose normals are z, unless shading bends them, met by light of 450 nm.
 inline SurfacePoint surface(Vec3 ns = {0, 0, 1}, Vec3 dpdu = {1, 0, 0}) {
-  SurfacePoint point{{}, {}, {0, 0, 1}, normalize(ns), dpdu, {0.3f, 0.6f}};
+  SurfacePoint point{{{}, {}, {0, 0, 1}, normalize(ns), dpdu, {0.3f, 0.6f}}};
   point.wavelength.nm = 450;
   return point;
 }

@@ -118,16 +118,6 @@ Bounds3 Transform::bounds(const Rows& r, const Bounds3& b) {
   return result;
 }
 
-Vec3 Transform::point_error(const Vec3& p) const {
-  constexpr float gamma3 = 3 * 0x1p-24f / (1 - 3 * 0x1p-24f);
-  Vec3 e;
-  for (int i = 0; i < 3; ++i) {
-    const auto& r = forward_[static_cast<std::size_t>(i)];
-    e[i] = gamma3 * (std::abs(r[0] * p.x) + std::abs(r[1] * p.y) + std::abs(r[2] * p.z) + std::abs(r[3]));
-  }
-  return e;
-}
-
 bool Transform::is_identity() const { return forward_ == kIdentity; }
 
 bool Transform::swaps_handedness() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "dspm/base/math/ray.h"
@@ -52,7 +53,13 @@ class Transform {
   Bounds3 bounds(const Bounds3& b) const { return bounds(forward_, b); }
   Bounds3 inverse_bounds(const Bounds3& b) const { return bounds(backward_, b); }
   /// An upper bound on the rounding error of point(p), per coordinate.
-  Vec3 point_error(const Vec3& p) const;
+  constexpr Vec3 point_error(const Vec3& p) const {
+    constexpr float gamma3 = 3 * 0x1p-24f / (1 - 3 * 0x1p-24f);
+    const auto of_row = [&](const std::array<float, 4>& r) {
+      return gamma3 * (std::abs(r[0] * p.x) + std::abs(r[1] * p.y) + std::abs(r[2] * p.z) + std::abs(r[3]));
+    };
+    return {of_row(forward_[0]), of_row(forward_[1]), of_row(forward_[2])};
+  }
   bool is_identity() const;
   /// Returns whether it mirrors: whether it turns a right-handed frame into a left-handed one.
   bool swaps_handedness() const;

@@ -22,7 +22,7 @@ constexpr Roughness kRoughness[] = {{0.3f, 0.3f}, {0.12f, 0.2f}, {0.9f, 0.6f}, {
 /// A fibre along x that faces the direction.
 SurfacePoint facing(const Vec3& w, float h) {
   const Vec3 normal = normalize(Vec3{0, w.y, w.z});
-  SurfacePoint point{{}, {}, normal, normal, {1, 0, 0}, {0.3f, 0.5f + 0.5f * h}};
+  SurfacePoint point{{{}, {}, normal, normal, {1, 0, 0}, {0.3f, 0.5f + 0.5f * h}}};
   point.turns = true;
   return point;
 }
