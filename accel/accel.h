@@ -8,7 +8,6 @@
 #include "dspm/accel/ray_hit.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
-#include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/base/params/registry.h"
 #include "dspm/shapes/placed_shape.h"

@@ -15,6 +15,7 @@
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/transform.h"
+#include "dspm/base/math/vec.h"
 #include "dspm/shapes/plain_shape.h"
 
 namespace dspm {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "dspm/accel/two_level.h"
+#include "dspm/shapes/plain_shape.h"
 
 namespace dspm {
 

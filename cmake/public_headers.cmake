@@ -5,6 +5,7 @@ set(public_headers
   accel/accel.h
   base/colour/colour_space.h base/colour/colour.h base/colour/componentwise.h base/colour/palette.h base/colour/rgb.h base/colour/spectral_curve.h base/colour/spectrum.h base/colour/wavelength.h
   base/math/bins.h base/math/bits.h base/math/distribution.h base/math/elementary.h base/math/frame_array.h base/math/frames.h
+  base/math/moments.h
   base/math/owen.h base/math/ray.h base/math/rng.h base/math/rounded.h base/math/sampling.h base/math/simd.h
   base/math/transform.h base/math/vec.h base/math/vertex_data.h
   base/params/errors.h base/params/params.h base/params/registry.h
@@ -35,6 +36,7 @@ set(testing_headers
   testing/agreement.h testing/checks.h testing/chi2.h testing/furnace.h testing/media.h testing/promises.h testing/scattering.h
   testing/scattering_cases.h testing/scenes.h testing/test_scene.h testing/verdict.h)
 set(toolkit_headers
+  base/math/double_vec.h base/math/rounding.h
   accel/box_ray.h accel/cut_query.h accel/hits.h accel/meet.h
   base/colour/spectrum_lanes.h
   base/grid/buffer.h base/grid/point_grid.h base/grid/points_within.h
@@ -68,6 +70,6 @@ set(toolkit_headers
   materials/fresnel.h materials/interface.h materials/made_up.h materials/per_surroundings.h materials/plain_bsdf.h
   materials/relief.h materials/rough_boundary.h materials/table_place.h
   media/henyey_greenstein.h
-  shapes/beyond_hole.h shapes/curvature.h shapes/cylinder.h shapes/disk.h shapes/double_vec.h
-  shapes/quadric.h shapes/quadric_shape.h shapes/rounding.h shapes/sphere.h shapes/triangle.h
+  shapes/beyond_hole.h shapes/curvature.h shapes/cylinder.h shapes/disk.h shapes/plain_shape.h 
+  shapes/quadric.h shapes/quadric_shape.h  shapes/sphere.h shapes/triangle.h
   textures/mapping.h)

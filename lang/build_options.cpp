@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/params/params.h"
 #include "dspm/lang/described_options.h"
 #include "dspm/lang/scene_builder.h"

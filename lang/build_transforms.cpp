@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/math/vanishing.h"
 #include "dspm/base/params/params.h"
 #include "dspm/lang/scene_builder.h"

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <variant>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/params/params.h"
 #include "dspm/base/system/files_read.h"
 #include "dspm/lang/shape_run.h"

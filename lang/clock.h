@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/lang/lexer.h"
 
 namespace dspm {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/lang/motion.h"
 
 namespace dspm {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/lang/old_pbrt.h"
 
 namespace dspm {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 
 namespace dspm {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/math/transform.h"
 #include "dspm/base/params/errors.h"
 #include "dspm/lang/cubic_way.h"

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/math/vanishing.h"
 #include "dspm/lang/clock.h"
 #include "dspm/lang/pose.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/params/errors.h"
 #include "dspm/lang/motion.h"
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/math/transform.h"
 #include "dspm/lang/keyed_transform.h"
 

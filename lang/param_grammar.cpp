@@ -9,7 +9,7 @@
 #include <set>
 #include <tuple>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/lang/directives.h"
 
 namespace dspm {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "dspm/base/colour/rgb.h"
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/image/shrink.h"
 #include "dspm/output/bitmap_font.h"
 #include "dspm/output/image_name.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 
 namespace dspm {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "dspm/base/colour/rgb.h"
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/system/readable.h"
 #include "dspm/image/image.h"
 #include "dspm/session/modules/all_plugins.h"

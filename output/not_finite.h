@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/image/image.h"
 #include "dspm/integrators/output_info.h"
 #include "dspm/integrators/rejections.h"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "dspm/base/colour/rgb.h"
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/system/atomic_file.h"
 #include "dspm/base/system/extension.h"
 #include "dspm/base/system/files_read.h"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/image/exr.h"
 #include "dspm/image/image.h"
 #include "dspm/output/denoised.h"

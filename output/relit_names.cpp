@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/image/exr.h"
 #include "dspm/output/image_name.h"
 #include "dspm/output/name_template.h"

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/system/atomic_file.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/base/system/readable.h"

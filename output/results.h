@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/output/output.h"
 #include "dspm/output/report/run_report.h"
 #include "dspm/output/write_faults.h"

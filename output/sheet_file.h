@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/image/image.h"
 #include "dspm/image/png.h"
 #include "dspm/output/contact_sheet.h"

@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/output/contact_sheet.h"
 #include "dspm/session/job/job.h"
 

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/system/files_read.h"
 #include "dspm/base/system/inner_files.h"
 #include "dspm/session/checkpoint/facts.h"

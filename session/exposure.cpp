@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/math/rng.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/integrators/camera_numbers.h"

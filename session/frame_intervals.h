@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/lang/factors.h"
 
 namespace dspm {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/base/system/state_in_memory.h"
 #include "dspm/image/image.h"
 #include "dspm/session/frame_intervals.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/math/transform.h"
 #include "dspm/base/system/plain_text.h"
 #include "dspm/base/system/read_file.h"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/integrators/statistics.h"
 #include "dspm/lang/gltf/translation.h"
 #include "dspm/session/job/job.h"

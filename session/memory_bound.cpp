@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/system/memory_use.h"
 #include "dspm/base/system/readable.h"
 #include "dspm/integrators/guiding/file_sample.h"

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "dspm/base/math/frames.h"
 #include "dspm/base/math/median.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/params/params.h"
 #include "dspm/base/system/readable.h"
 #include "dspm/integrators/beside/error_estimate.h"

@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/integrators/statistics.h"
 #include "dspm/session/job/job.h"
 #include "dspm/session/messages.h"

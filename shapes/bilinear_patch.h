@@ -4,9 +4,9 @@
 #include <array>
 #include <optional>
 
+#include "dspm/base/math/double_vec.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/vec.h"
-#include "dspm/shapes/double_vec.h"
 #include "dspm/shapes/shape.h"
 
 namespace dspm {

@@ -16,11 +16,11 @@
 // [Reshetov 2019, Cool Patches, in Ray Tracing Gems, ch. 8; Pharr, Jakob, Humphreys, Physically Based Rendering, 4th
 // ed., 6.6]
 #include "dspm/base/math/ray.h"
+#include "dspm/base/math/rounding.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/shapes/bilinear_patch.h"
 #include "dspm/shapes/mesh_params.h"
-#include "dspm/shapes/rounding.h"
 #include "dspm/shapes/shape.h"
 
 namespace dspm {

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "dspm/base/math/rounding.h"
 #include "dspm/base/math/vec.h"
-#include "dspm/shapes/rounding.h"
 
 namespace dspm {
 namespace {

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <cstdint>
 
+#include "dspm/base/math/double_vec.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
-#include "dspm/shapes/double_vec.h"
 
 namespace dspm {
 

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "dspm/base/math/rounding.h"
 #include "dspm/shapes/curve_pieces.h"
-#include "dspm/shapes/rounding.h"
 
 namespace dspm {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "dspm/base/math/double_vec.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/system/parallel.h"
-#include "dspm/shapes/double_vec.h"
 
 namespace dspm {
 namespace {

@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "dspm/shapes/double_vec.h"
+#include "dspm/base/math/double_vec.h"
 #include "dspm/shapes/triangle.h"
 
 namespace dspm {

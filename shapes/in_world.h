@@ -1,9 +1,9 @@
 // From a shape's own space to the world: its surface, with bounds on rounding, and its areas. For CPUs and GPUs.
 #pragma once
 
+#include "dspm/base/math/rounding.h"
 #include "dspm/base/math/transform.h"
 #include "dspm/base/math/vec.h"
-#include "dspm/shapes/rounding.h"
 #include "dspm/shapes/surface_geometry.h"
 
 namespace dspm {

@@ -16,9 +16,9 @@
 #include <numbers>
 #include <numeric>
 
+#include "dspm/base/math/double_vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/shapes/cgal_mesh.h"
-#include "dspm/shapes/double_vec.h"
 #include "dspm/shapes/mesh_params.h"
 #include "dspm/shapes/shape.h"
 

@@ -8,10 +8,10 @@
 #include <cstddef>
 #include <optional>
 
+#include "dspm/base/math/double_vec.h"
+#include "dspm/base/math/rounding.h"
 #include "dspm/base/math/sampling.h"
 #include "dspm/base/math/vec.h"
-#include "dspm/shapes/double_vec.h"
-#include "dspm/shapes/rounding.h"
 #include "dspm/shapes/surface_geometry.h"
 #include "dspm/shapes/triangle.h"
 #include "dspm/shapes/triangle_mesh.h"

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "dspm/base/math/double_vec.h"
 #include "dspm/base/math/elementary.h"
 #include "dspm/base/math/vec.h"
-#include "dspm/shapes/double_vec.h"
 #include "dspm/shapes/surface_geometry.h"
 
 namespace dspm {

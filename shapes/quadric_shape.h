@@ -9,6 +9,7 @@
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
+#include "dspm/shapes/plain_shape.h"
 #include "dspm/shapes/quadric.h"
 #include "dspm/shapes/shape.h"
 
@@ -25,6 +26,7 @@ class QuadricShape : public Shape {
   float area(int) const override { return surface_.area(); }
   Vec2 sample_area(int, Vec2 u) const override { return surface_.sample_area(u); }
   std::optional<Vec2> area_numbers(int, const Vec3& p) const override { return surface_.area_numbers(p); }
+  std::optional<PlainShape> plain() const override { return surface_; }
 
  protected:
   const Surface& surface() const { return surface_; }

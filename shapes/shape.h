@@ -20,6 +20,7 @@
 
 namespace dspm {
 
+class PlainShape;
 class TriangleMesh;
 
 /// The surface at a hit.
@@ -87,6 +88,9 @@ class Shape {
   virtual bool absorb(Shape& /*next*/) { return false; }
   /// Finishes the shape, once it has absorbed all that it will; may renumber its primitives.
   virtual void settle() {}
+
+  /// Returns the shape as a plain value, which a device can have; nullopt if it is none of that kind. Meshes are not.
+  virtual std::optional<PlainShape> plain() const;
 
   /// Returns the mesh, which trees treat specially; null if the shape is anything else.
   virtual const TriangleMesh* triangles() const { return nullptr; }

@@ -5,12 +5,12 @@
 #include <concepts>
 #include <optional>
 
+#include "dspm/base/math/double_vec.h"
 #include "dspm/base/math/elementary.h"
 #include "dspm/base/math/ray.h"
+#include "dspm/base/math/rounding.h"
 #include "dspm/base/math/vec.h"
-#include "dspm/shapes/double_vec.h"
 #include "dspm/shapes/quadric.h"
-#include "dspm/shapes/rounding.h"
 #include "dspm/shapes/surface_geometry.h"
 
 namespace dspm {

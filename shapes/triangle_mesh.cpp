@@ -5,9 +5,9 @@
 #include <limits>
 #include <stdexcept>
 
+#include "dspm/base/math/double_vec.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/vec.h"
-#include "dspm/shapes/double_vec.h"
 #include "dspm/shapes/mesh_view.h"
 #include "dspm/shapes/triangle.h"
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "dspm/base/colour/rgb.h"
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/image/image.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "dspm/base/colour/rgb.h"
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/rng.h"
 #include "dspm/base/math/sampling.h"

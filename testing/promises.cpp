@@ -8,6 +8,7 @@
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/base/system/state_in_memory.h"
 #include "dspm/image/image.h"

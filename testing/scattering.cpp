@@ -7,7 +7,7 @@
 #include <bit>
 
 #include "dspm/base/colour/spectrum.h"
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/testing/chi2.h"
 #include "dspm/testing/scattering_cases.h"

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/image/image.h"
 #include "dspm/session/exposure.h"
 #include "dspm/session/load.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/image/image.h"
 #include "dspm/integrators/integrator.h"
 #include "dspm/world/scene/scene.h"

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/math/transform.h"
 #include "dspm/base/params/errors.h"
 #include "dspm/lang/description.h"

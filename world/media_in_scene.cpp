@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/world/cameras.h"
 
 namespace dspm {

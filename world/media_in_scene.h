@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/lang/description.h"
 #include "dspm/world/lighting/lighting.h"
 #include "dspm/world/objects/geometry.h"

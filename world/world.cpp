@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/base/system/files_read.h"

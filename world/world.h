@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/params/errors.h"
 #include "dspm/lang/description.h"
 #include "dspm/world/scene/scene.h"

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 
 namespace dspm {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "dspm/app/options/options.h"
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 
 namespace dspm {
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/system/message_listener.h"
 #include "dspm/output/image_name.h"
 #include "dspm/session/job/developed.h"

@@ -13,7 +13,7 @@
 #include "dspm/app/run/progress.h"
 #include "dspm/app/run/signals.h"
 #include "dspm/app/run/watch.h"
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/looking/serve/live_page.h"
 #include "dspm/output/results.h"
 #include "dspm/output/step_log.h"

@@ -1,5 +1,5 @@
-// Bits of whole numbers: on the CPU as in <bit>. nvcc takes g++'s builtin functions behind those without a word, and makes nothing
-// of them on a device.
+// Bits of whole numbers: on the CPU as in <bit>. nvcc takes the functions of g++ behind those without a word, and makes
+// nothing of them on a device.
 #pragma once
 
 #include <bit>

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/params/params.h"
 
 namespace dspm {

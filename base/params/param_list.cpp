@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/params/numbered_files.h"
 #include "dspm/base/params/only_text.h"
 #include "dspm/base/params/params.h"

@@ -16,7 +16,7 @@
 #include "dspm/base/colour/colour_space.h"
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/colour/spectral_curve.h"
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/errors.h"
 

@@ -5,6 +5,7 @@
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/image/image.h"
 #include "dspm/world/scene/scene.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/integrators/guiding/file_sample.h"
 #include "dspm/session/stage.h"
 #include "dspm/world/scene/scene.h"

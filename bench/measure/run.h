@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/session/load.h"
 #include "dspm/world/scene/scene.h"
 

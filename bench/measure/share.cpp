@@ -2,7 +2,7 @@
 
 #include "bench/measure/work.h"
 #include "bench/report/table.h"
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 
 namespace dspm {
 

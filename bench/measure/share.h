@@ -4,7 +4,7 @@
 #include <string>
 
 #include "bench/measure/rounds.h"
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 
 namespace dspm {
 

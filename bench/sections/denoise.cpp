@@ -11,6 +11,7 @@
 #include "bench/sections/sections.h"
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/image/image.h"
 #include "dspm/looking/flicker.h"
 #include "dspm/output/denoised.h"

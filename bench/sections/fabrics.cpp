@@ -8,6 +8,7 @@
 #include "bench/report/table.h"
 #include "bench/sections/sections.h"
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/session/frame_intervals.h"
 
 namespace dspm {

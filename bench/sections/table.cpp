@@ -7,7 +7,7 @@
 #include "bench/measure/convergence.h"
 #include "bench/report/progress.h"
 #include "bench/sections/sections.h"
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 
 namespace dspm {
 namespace {

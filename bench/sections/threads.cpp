@@ -6,7 +6,7 @@
 #include "bench/report/progress.h"
 #include "bench/report/table.h"
 #include "bench/sections/sections.h"
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/system/parallel.h"
 
 namespace dspm {

@@ -8,8 +8,8 @@
 //
 // Only two numbers say later where a ray hit the surface, so they must identify the point: the whole surface is visible
 // from the middle, and (u, v) are the angles of the direction to the point.
+#include <dspm/base/math/double_vec.h>
 #include <dspm/session/modules/module.h>
-#include <dspm/shapes/double_vec.h>
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/integrators/emission_report.h"
 #include "dspm/integrators/guiding/learn_direct.h"
 #include "dspm/integrators/photons/emission_guide.h"

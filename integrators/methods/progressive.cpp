@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/image/image.h"

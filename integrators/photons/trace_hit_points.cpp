@@ -5,8 +5,6 @@
 
 #include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
-#include "dspm/base/math/ray.h"
-#include "dspm/base/math/vec.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/integrators/photons/hit_point_light.h"
 #include "dspm/integrators/photons/hit_point_writer.h"

@@ -1,10 +1,7 @@
 #include "dspm/integrators/photons/trace_photons.h"
 
-#include "dspm/base/colour/rgb.h"
 #include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
-#include "dspm/base/math/ray.h"
-#include "dspm/base/math/vec.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/integrators/photons/photon_energy.h"
 #include "dspm/integrators/photons/seen_along.h"

@@ -1,6 +1,6 @@
 #include "dspm/looking/serve/describe_run.h"
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/math/transform.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/system/json.h"

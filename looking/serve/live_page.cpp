@@ -7,6 +7,7 @@
 #include <cmath>
 #include <thread>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/base/system/cancellation.h"
 #include "dspm/base/system/json.h"
 #include "dspm/base/system/parallel.h"

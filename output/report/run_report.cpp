@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/system/json.h"
 #include "dspm/base/system/memory_use.h"
 #include "dspm/base/system/readable.h"

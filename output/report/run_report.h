@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/integrators/statistics.h"
 #include "dspm/session/job/job.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "dspm/base/math/double_vec.h"
 #include "dspm/base/math/vec.h"
-#include "dspm/shapes/double_vec.h"
 #include "scenes/generator/mesh_file.h"
 #include "scenes/generator/subjects.h"
 

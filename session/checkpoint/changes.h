@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/session/checkpoint/checkpoint_file.h"
 #include "dspm/session/job/frame_choice.h"
 #include "dspm/session/job/job.h"

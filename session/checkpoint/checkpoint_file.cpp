@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/system/atomic_file.h"
 #include "dspm/base/system/file_access.h"
 #include "dspm/base/system/state_in_memory.h"

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/system/files_read.h"
 #include "dspm/base/system/version.h"
 #include "dspm/integrators/guiding/file_sample.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/lang/file_frames.h"
 
 namespace dspm {

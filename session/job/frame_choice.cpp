@@ -6,7 +6,7 @@
 #include <map>
 #include <string_view>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/params/errors.h"
 #include "dspm/lang/glob.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/flag.h"
 #include "dspm/base/params/only_text.h"

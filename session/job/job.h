@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/params/errors.h"
 #include "dspm/base/params/params.h"
 #include "dspm/image/film/film.h"

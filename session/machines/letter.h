@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/system/state_in_memory.h"
 #include "dspm/session/block.h"
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "dspm/base/math/moments.h"
+
 namespace dspm {
 namespace {
 

@@ -6,6 +6,7 @@
 #include "dspm/accel/embree_version.h"
 #include "dspm/app/tasks/optional_parts.h"
 #include "dspm/app/tasks/version_text.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/system/version.h"
 
 namespace dspm {

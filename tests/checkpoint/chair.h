@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/image/exr.h"
 #include "dspm/image/image.h"
 #include "dspm/session/checkpoint/checkpoint_file.h"

@@ -6,6 +6,7 @@
 
 #include <random>
 
+#include "dspm/base/math/moments.h"
 #include "tests/support/idle_integrator.h"
 #include "tests/support/temporary_directory.h"
 

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <random>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/image/exr.h"
 #include "dspm/image/image.h"
 #include "dspm/session/checkpoint/checkpoint_file.h"

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/lang/gltf/translation.h"
 #include "dspm/lang/parse.h"
 #include "dspm/session/load.h"

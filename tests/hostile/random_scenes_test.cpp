@@ -8,6 +8,7 @@
 #include <regex>
 #include <set>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/lang/parse.h"
 #include "dspm/session/job/job.h"
 #include "dspm/testing/test_scene.h"

@@ -28,7 +28,8 @@ BEGIN {
   confined["^CGAL/"] = "^(shapes/(cgal_mesh|mesh_check|mesh_repair|loopsubdiv)|scenes/generator/simplify)[.]"
 
   # Who names one of these includes its header, or leaves that to a header of its own name.
-  home["FrameSet"] = home["Frame"] = home["FileFrame"] = home["Moment"] = home["kMaxFrames"] = "base/math/frames.h"
+  home["FrameSet"] = home["Frame"] = home["kMaxFrames"] = "base/math/frames.h"
+  home["FileFrame"] = home["Moment"] = "base/math/moments.h"
   home["Vec2"] = home["Vec3"] = "base/math/vec.h"
   home["Ray"] = "base/math/ray.h"
   home["Rgb"] = "base/colour/rgb.h"

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/testing/compare.h"
 #include "dspm/testing/test_scene.h"
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/testing/agreement.h"
 #include "dspm/testing/compare.h"
 #include "dspm/testing/promises.h"

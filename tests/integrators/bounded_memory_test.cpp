@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/integrators/methods/pixel_statistics.h"
 #include "dspm/integrators/photons/memory_needs.h"

@@ -1,6 +1,7 @@
 // Vectors of motion through cameras that move, against what formulas say; and dspm's promises for all vectors.
 #include <cmath>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/base/system/state_in_memory.h"
 #include "tests/integrators/motion_vectors.h"

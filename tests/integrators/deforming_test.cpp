@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/base/params/errors.h"
 #include "dspm/session/load.h"
 #include "dspm/testing/promises.h"

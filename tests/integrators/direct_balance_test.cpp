@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/integrators/guiding/emission_tree.h"
 #include "dspm/integrators/guiding/learn_direct.h"
 #include "dspm/session/job/job.h"

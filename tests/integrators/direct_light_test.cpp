@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/testing/promises.h"
 #include "tests/integrators/floor.h"
 

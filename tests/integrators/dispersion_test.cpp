@@ -8,6 +8,7 @@
 #include <string>
 
 #include "dspm/base/colour/wavelength.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/materials/fresnel.h"
 #include "dspm/testing/agreement.h"
 #include "dspm/testing/compare.h"

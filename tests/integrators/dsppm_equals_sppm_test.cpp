@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/session/job/choices.h"
 #include "dspm/testing/test_scene.h"
 #include "tests/integrators/random_scene.h"

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/base/math/rng.h"
 #include "dspm/image/image.h"
 #include "dspm/integrators/integrator.h"

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/base/math/sampling.h"
 #include "dspm/testing/test_scene.h"
 

@@ -9,6 +9,7 @@
 #include <functional>
 #include <numbers>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/testing/agreement.h"
 #include "dspm/testing/test_scene.h"
 #include "tests/support/seeds.h"

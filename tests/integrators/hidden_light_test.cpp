@@ -14,6 +14,7 @@
 #include <complex>
 #include <numbers>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/testing/agreement.h"
 #include "dspm/testing/test_scene.h"
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/testing/test_scene.h"
 
 namespace dspm {

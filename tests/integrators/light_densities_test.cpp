@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/integrators/guiding/emission_tree.h"
 #include "dspm/integrators/photons/trace_photons.h"
 #include "dspm/session/job/job.h"

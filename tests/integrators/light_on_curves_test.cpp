@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/session/job/choices.h"
 #include "dspm/testing/agreement.h"
 #include "dspm/testing/compare.h"

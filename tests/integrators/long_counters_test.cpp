@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/base/system/state_in_memory.h"
 #include "dspm/testing/test_scene.h"
 

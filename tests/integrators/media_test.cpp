@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/base/params/errors.h"
 #include "dspm/integrators/beside/surface_output_list.h"
 #include "dspm/integrators/light_groups.h"

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/session/job/choices.h"
 #include "dspm/session/job/job.h"
 #include "dspm/testing/test_scene.h"

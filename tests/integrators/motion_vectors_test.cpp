@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/base/params/errors.h"
 #include "tests/support/temporary_directory.h"
 

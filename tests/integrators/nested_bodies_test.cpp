@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/testing/agreement.h"
 #include "dspm/testing/compare.h"
 #include "dspm/testing/test_scene.h"

@@ -2,6 +2,7 @@
 // comes by way of smooth lobes, and nothing else.
 #include <gtest/gtest.h>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/integrators/photons/trace_photons.h"
 #include "dspm/testing/promises.h"
 #include "tests/integrators/floor.h"

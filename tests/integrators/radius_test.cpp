@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/integrators/methods/estimator.h"
 #include "dspm/integrators/photons/memory_needs.h"
 #include "dspm/session/job/choices.h"

@@ -10,6 +10,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/image/shrink.h"
 #include "dspm/testing/compare.h"
 #include "dspm/testing/test_scene.h"

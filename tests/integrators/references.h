@@ -9,6 +9,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/testing/agreement.h"
 #include "dspm/testing/test_scene.h"
 #include "tests/integrators/light_tracer.h"

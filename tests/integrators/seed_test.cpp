@@ -1,6 +1,7 @@
 // Photons are drawn by the seed: where nothing else is random, images of two seeds differ, those of one are the same.
 #include <gtest/gtest.h>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {

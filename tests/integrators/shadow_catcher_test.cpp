@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/base/params/errors.h"
 #include "dspm/base/system/state_in_memory.h"
 #include "dspm/integrators/beside/surface_output_list.h"

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/base/params/errors.h"
 #include "dspm/lang/canonical.h"
 #include "dspm/session/exposure.h"

@@ -1,6 +1,7 @@
 // What is shared between the times of a shutter must not include what changes while it is open.
 #include <gtest/gtest.h>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/testing/compare.h"
 #include "dspm/testing/test_scene.h"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/base/params/errors.h"
 #include "dspm/session/job/choices.h"
 #include "dspm/testing/agreement.h"

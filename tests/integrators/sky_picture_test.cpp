@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/image/write_floats.h"
 #include "dspm/testing/test_scene.h"
 #include "tests/support/temporary_directory.h"

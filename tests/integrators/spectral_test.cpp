@@ -11,6 +11,7 @@
 #include "dspm/base/colour/sensor.h"
 #include "dspm/base/colour/smooth_spectra.h"
 #include "dspm/base/colour/wavelength.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/materials/fresnel.h"
 #include "dspm/testing/compare.h"
 #include "dspm/testing/promises.h"

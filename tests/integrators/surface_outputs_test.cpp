@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/base/system/state_in_memory.h"
 #include "dspm/image/image.h"

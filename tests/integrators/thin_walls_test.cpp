@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/testing/agreement.h"
 #include "dspm/testing/test_scene.h"
 

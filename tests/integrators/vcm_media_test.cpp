@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/testing/compare.h"
 #include "dspm/testing/test_scene.h"
 

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/base/params/errors.h"
 #include "dspm/session/job/choices.h"
 #include "dspm/session/job/job.h"

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/base/system/read_file.h"
 #include "dspm/lang/formatter.h"
 #include "dspm/lang/upgrade.h"

@@ -2,6 +2,7 @@
 // follows.
 #include <fstream>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/base/system/read_file.h"
 #include "dspm/lang/directives.h"
 #include "dspm/lang/formatter.h"

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/base/system/read_file.h"
 #include "tests/lang/parsing.h"
 #include "tests/support/temporary_directory.h"

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include "dspm/base/math/moments.h"
+
 namespace dspm {
 namespace {
 

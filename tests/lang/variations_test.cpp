@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/lang/formatter.h"
 #include "tests/lang/parsing.h"
 

@@ -1,6 +1,7 @@
 // Files that include a scene and change it: defaults of $names, and another Camera, Film or Integrator.
 #include <fmt/format.h>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/base/system/read_file.h"
 #include "tests/lang/parsing.h"
 #include "tests/support/temporary_directory.h"

@@ -2,8 +2,8 @@
 // densities, photons against camera paths, parameters.
 #include <gtest/gtest.h>
 
+#include "dspm/base/math/double_vec.h"
 #include "dspm/materials/fibre.h"
-#include "dspm/shapes/double_vec.h"
 #include "dspm/testing/scattering.h"
 #include "tests/materials/materials.h"
 

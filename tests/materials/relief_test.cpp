@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/image/write_floats.h"
 #include "dspm/shapes/triangle_mesh.h"
 #include "dspm/testing/test_scene.h"

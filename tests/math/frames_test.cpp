@@ -6,6 +6,8 @@
 #include <set>
 #include <type_traits>
 
+#include "dspm/base/math/moments.h"
+
 namespace dspm {
 namespace {
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "dspm/base/math/moments.h"
 #include "tests/output/json_check.h"
 
 namespace dspm {

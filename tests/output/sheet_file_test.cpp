@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "dspm/base/colour/rgb.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/image/image.h"
 #include "dspm/lang/parse.h"
 #include "tests/support/temporary_directory.h"

@@ -5,6 +5,7 @@
 
 #include <numeric>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/lang/parse.h"
 
 namespace dspm {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/base/params/registry.h"
 
 namespace dspm {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/image/image.h"
 #include "dspm/integrators/guiding/file_sample.h"
 #include "dspm/integrators/integrator.h"

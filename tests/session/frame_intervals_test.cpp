@@ -7,6 +7,7 @@
 #include <numeric>
 #include <set>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/lang/parse.h"
 
 namespace dspm {

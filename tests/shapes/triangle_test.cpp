@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "dspm/shapes/rounding.h"
+#include "dspm/base/math/rounding.h"
 #include "dspm/shapes/triangle_mesh.h"
 #include "tests/shapes/meshes.h"
 #include "tests/shapes/random.h"

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <limits>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/image/exr.h"
 #include "tests/textures/make.h"
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/testing/scenes.h"
 #include "dspm/testing/test_scene.h"
 #include "dspm/world/world.h"

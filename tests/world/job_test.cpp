@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/session/job/integrator_choice.h"
 #include "dspm/testing/test_scene.h"
 

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "dspm/accel/two_level.h"
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/lang/parse.h"
 #include "dspm/world/world.h"
 #include "tests/support/temporary_directory.h"

@@ -6,6 +6,7 @@
 
 #include <set>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/testing/test_scene.h"
 
 namespace dspm::test {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/integrators/transport/direct_light.h"
 #include "dspm/lights/light.h"
 #include "dspm/testing/test_scene.h"

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/session/frame_intervals.h"
 #include "dspm/session/job/choices.h"
 #include "dspm/session/job/job.h"

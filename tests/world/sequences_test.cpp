@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/session/load.h"
 #include "dspm/world/scene/scene.h"
 #include "tests/support/temporary_directory.h"

@@ -1,6 +1,7 @@
 // What --explain says of small scenes whose sharing is plain, and what the scenes of frame intervals hold.
 #include <gtest/gtest.h>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/testing/scenes.h"
 #include "dspm/testing/test_scene.h"
 #include "dspm/world/world.h"

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/world/objects/frame_ranges.h"
 #include "dspm/world/objects/likeness.h"
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/math/vec.h"
 
 namespace dspm {

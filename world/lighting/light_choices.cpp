@@ -4,6 +4,8 @@
 #include <map>
 #include <utility>
 
+#include "dspm/base/math/frames.h"
+
 namespace dspm {
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/world/lighting/lighting.h"
 #include "dspm/world/scene/scene.h"
 

@@ -8,6 +8,7 @@
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/params/params.h"
 #include "dspm/lights/emission_pattern.h"
 #include "dspm/lights/light_group.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/lights/light.h"
 #include "dspm/lights/photon_controls.h"
 #include "dspm/world/lighting/bounding_sphere.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <memory>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/math/vec.h"
 
 namespace dspm {

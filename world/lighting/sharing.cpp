@@ -7,6 +7,7 @@
 #include <set>
 
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 
 namespace dspm {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/cameras/camera.h"
 #include "dspm/lang/description.h"
 #include "dspm/world/lighting/light_choices.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/shapes/displace.h"
 #include "dspm/shapes/triangle_mesh.h"

@@ -8,7 +8,7 @@
 #include <unordered_map>
 
 #include "dspm/base/colour/rgb.h"
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/params/flag.h"
 #include "dspm/base/params/params.h"
 #include "dspm/base/system/parallel.h"

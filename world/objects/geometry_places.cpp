@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/shapes/triangle_mesh.h"
 #include "dspm/world/objects/geometry_source.h"
 #include "dspm/world/objects/likeness.h"

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/lang/file_frames.h"
 
 namespace dspm {

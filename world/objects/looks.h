@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "dspm/base/colour/rgb.h"
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/params/params.h"
 #include "dspm/lights/emission_pattern.h"
 #include "dspm/materials/material.h"

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "dspm/base/colour/rgb.h"
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/params/params.h"
 #include "dspm/materials/mix.h"
 #include "dspm/materials/parameters.h"

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "dspm/base/math/frames.h"
 #include "dspm/base/params/params.h"
 #include "dspm/world/objects/in_frame.h"
 #include "dspm/world/objects/likeness.h"

@@ -8,6 +8,7 @@
 #include <typeinfo>
 #include <utility>
 
+#include "dspm/base/math/frames.h"
 #include "dspm/base/math/transform.h"
 #include "dspm/shapes/triangle_mesh.h"
 #include "dspm/world/objects/placement.h"

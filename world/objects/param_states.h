@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/params/params.h"
 #include "dspm/lang/description.h"
 #include "dspm/world/objects/likeness.h"

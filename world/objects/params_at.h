@@ -4,7 +4,7 @@
 #include <cmath>
 #include <variant>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/params/params.h"
 #include "dspm/lang/file_frames.h"
 

@@ -1,7 +1,7 @@
 // Where a shape of a directive, or of an instance, is at a moment.
 #pragma once
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/math/transform.h"
 #include "dspm/lang/description.h"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dspm/base/math/moments.h"
 #include "dspm/base/math/vanishing.h"
 #include "dspm/world/objects/in_frame.h"
 

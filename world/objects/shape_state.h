@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/params/only_text.h"
 #include "dspm/base/params/params.h"
 #include "dspm/lang/file_frames.h"

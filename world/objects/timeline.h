@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/lang/file_frames.h"
 
 namespace dspm {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/params/params.h"
 #include "dspm/world/objects/params_at.h"
 

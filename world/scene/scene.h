@@ -13,6 +13,7 @@
 #include "dspm/base/colour/spectrum.h"
 #include "dspm/base/colour/wavelength.h"
 #include "dspm/base/math/frames.h"
+#include "dspm/base/math/moments.h"
 #include "dspm/base/math/transform.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/cameras/camera.h"
