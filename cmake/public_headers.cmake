@@ -2,7 +2,7 @@
 # are stable within a minor version and include one another only; the third is what dspm's own integrators are made of,
 # and may change with any version.
 set(public_headers
-  accel/accel.h
+  accel/accel.h accel/ray_hit.h
   base/colour/colour_space.h base/colour/colour.h base/colour/componentwise.h base/colour/palette.h base/colour/rgb.h base/colour/spectral_curve.h base/colour/spectrum.h base/colour/wavelength.h
   base/math/bins.h base/math/bits.h base/math/distribution.h base/math/elementary.h base/math/frame_array.h base/math/frames.h
   base/math/moments.h
@@ -37,7 +37,7 @@ set(testing_headers
   testing/scattering_cases.h testing/scenes.h testing/test_scene.h testing/verdict.h)
 set(toolkit_headers
   base/math/double_vec.h base/math/rounding.h
-  accel/box_ray.h accel/cut_query.h accel/hits.h accel/meet.h
+  accel/box_ray.h accel/cut_query.h accel/hits.h accel/meet.h accel/nearest_hit.h
   base/colour/spectrum_lanes.h
   base/grid/buffer.h base/grid/point_grid.h base/grid/points_within.h
   base/math/frame_lanes.h

@@ -13,23 +13,6 @@
 namespace dspm {
 
 class PlainShape {
- public:
-  constexpr PlainShape() : kind_(Kind::none), nothing_() {}
-  constexpr PlainShape(const SphereSurface& sphere) : kind_(Kind::sphere), sphere_(sphere) {}
-  constexpr PlainShape(const DiskSurface& disk) : kind_(Kind::disk), disk_(disk) {}
-  constexpr PlainShape(const CylinderSurface& cylinder) : kind_(Kind::cylinder), cylinder_(cylinder) {}
-
-  constexpr std::optional<PrimitiveHit> intersect(const Ray& ray) const {
-    return of_kind([&](const auto& surface) { return surface.intersect(ray); });
-  }
-  constexpr Bounds3 bounds() const {
-    return of_kind([](const auto& surface) { return surface.bounds(); });
-  }
-  constexpr SurfaceGeometry surface_point(Vec2 uv) const {
-    return of_kind([&](const auto& surface) { return surface.template surface_point<SurfaceGeometry>(uv); });
-  }
-
- private:
   enum class Kind : unsigned char { none, sphere, disk, cylinder };
 
   struct Nothing {
@@ -52,6 +35,23 @@ class PlainShape {
     return fn(Nothing());
   }
 
+ public:
+  constexpr PlainShape() : kind_(Kind::none), nothing_() {}
+  constexpr PlainShape(const SphereSurface& sphere) : kind_(Kind::sphere), sphere_(sphere) {}
+  constexpr PlainShape(const DiskSurface& disk) : kind_(Kind::disk), disk_(disk) {}
+  constexpr PlainShape(const CylinderSurface& cylinder) : kind_(Kind::cylinder), cylinder_(cylinder) {}
+
+  constexpr std::optional<PrimitiveHit> intersect(const Ray& ray) const {
+    return of_kind([&](const auto& surface) { return surface.intersect(ray); });
+  }
+  constexpr Bounds3 bounds() const {
+    return of_kind([](const auto& surface) { return surface.bounds(); });
+  }
+  constexpr SurfaceGeometry surface_point(Vec2 uv) const {
+    return of_kind([&](const auto& surface) { return surface.template surface_point<SurfaceGeometry>(uv); });
+  }
+
+ private:
   Kind kind_;
   union {
     Nothing nothing_;

@@ -5,7 +5,7 @@
 
 namespace dspm {
 
-inline constexpr std::string_view kVersion = "0.2.0";
+inline constexpr std::string_view kVersion = "0.3.0";
 
 /// Returns the number in place 0, 1 or 2: major, minor or patch.
 constexpr unsigned version_part(int place) {

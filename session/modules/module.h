@@ -26,7 +26,7 @@ class ModuleRegistry {
   /// `module` must outlive the tables: plugins keep it as their origin.
   explicit ModuleRegistry(std::string_view module) : module_(module) {}
 
-  /// The version of the dspm that loads the module: "0.2.0".
+  /// The version of the dspm that loads the module: "0.3.0".
   static std::string_view host_version();
 
   /// Adds the plugin to the `table` of its kind: shape_plugins(), material_plugins(), texture_plugins<float>(), ...

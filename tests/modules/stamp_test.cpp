@@ -30,7 +30,7 @@ TEST(Stamp, OtherVersionsDoNot) {
     ModuleStamp stamp = current_stamp();
     stamp.version[part] += 3;
     const std::string why = why_unfit(bytes_of(stamp));
-    EXPECT_TRUE(contains(why, part == 0 ? "dspm 3.2.0" : "dspm 0.5.0") && contains(why, "this is dspm 0.2.0")) << why;
+    EXPECT_TRUE(contains(why, part == 0 ? "dspm 3.3.0" : "dspm 0.6.0") && contains(why, "this is dspm 0.3.0")) << why;
     EXPECT_TRUE(contains(why, "rebuild it")) << why;
   }
 }
