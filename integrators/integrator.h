@@ -32,6 +32,7 @@ struct RenderSettings {
   bool filter_textures = true;       // false: lookups of camera paths do not average over a footprint
   bool noise_per_frame = false;      // camera paths draw other numbers where the camera is in another state
   bool independent_numbers = false;  // of all other paths; else even among them
+  bool in_waves = false;             // photons are traced in waves, or the integrator reports why they are not
   bool spectral = false;             // each iteration has wavelengths, and a palette of its own
   std::uint64_t seed = 0;
   int default_iterations = 256;      // if the integrator's parameters set none
@@ -80,6 +81,7 @@ struct IntegratorPlugin : Plugin<MakeIntegrator> {
   int frames_together = kMaxFrames;  // in one scene; 1 for an integrator that does not share work
   bool sees_media = false;           // else scenes with media are refused
   bool sees_moments = false;         // of one iteration: Iteration::moments
+  bool traces_waves = false;         // it heeds RenderSettings::in_waves; else it is not asked to
 };
 PluginTable<IntegratorPlugin>& integrator_plugins();
 

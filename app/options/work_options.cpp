@@ -21,6 +21,10 @@ void add_work_options(CLI::App& app, Options& o) {
   app.add_option("--colour,--color", o.colour, "rgb or spectral: what paths carry; glass shows its colours either way")
       ->check(one_of({"rgb", "spectral"}))
       ->type_name("KIND");
+  app.add_option("--device", o.device,
+                 "cpu, or waves: photons step by step together, as a GPU would trace them; images are the same")
+      ->check(one_of({"cpu", "waves"}))
+      ->type_name("NAME");
   add_count(app, "--iterations,--spp", o.iterations, 0, kMaxCount, "camera paths per pixel; 0: until stopped");
   add_count(app, "--photons", o.photons, 1, kMaxCount, "photon paths per iteration");
   add_count(app, "--maxdepth", o.max_depth, 0, kMaxCount,

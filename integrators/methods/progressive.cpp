@@ -9,6 +9,7 @@
 #include "dspm/integrators/methods/photon_batches.h"
 #include "dspm/integrators/methods/pixel_sinks.h"
 #include "dspm/integrators/photons/typical_hit_point.h"
+#include "dspm/integrators/waves/wave_photons.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {
@@ -143,7 +144,8 @@ class Progressive final : public Integrator {
   void trace_light_paths(const Scene& scene, const PhotonSettings& settings, int iteration, std::int64_t first,
                          std::int64_t end) {
     const StepTimer timer(statistics_.steps[kPhotons]);
-    traces_ = trace_photons(scene, settings, static_cast<std::uint64_t>(iteration), first, end, std::move(traces_));
+    const auto trace = render_.in_waves ? trace_photons_in_waves_if_plain : trace_photons;
+    traces_ = trace(scene, settings, static_cast<std::uint64_t>(iteration), first, end, std::move(traces_));
   }
 
   void build_photon_map(const Scene& scene, float cell_size) {

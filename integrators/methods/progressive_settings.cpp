@@ -8,6 +8,7 @@
 #include "dspm/integrators/max_depth.h"
 #include "dspm/integrators/photons/shares_of_light.h"
 #include "dspm/integrators/pixel_count.h"
+#include "dspm/integrators/waves/wave_photons.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {
@@ -75,6 +76,13 @@ void expect_photons_in_media(ParamReader& params, const ProgressiveSettings& set
   if (settings.hit_point.go_on && !scene.media.empty())
     params.error("indirect", "\"indirect\" \"paths\" finds no light that media scatter",
                  "leave it out: in scenes with media photons bring all indirect light");
+}
+
+void expect_waves(ParamReader& params, const ProgressiveSettings& settings, const Scene& scene,
+                  const RenderSettings& render) {
+  if (!render.in_waves || scene.accel == nullptr) return;
+  if (const std::string why = why_not_in_waves(scene, settings.photon); !why.empty())
+    params.error("", "photons of this scene cannot be traced in waves: " + why, "leave out --device waves");
 }
 
 std::string in_words(const ProgressiveSettings& s) {

@@ -29,6 +29,10 @@ std::string in_words(const ProgressiveSettings& settings);
 /// Reports an error if camera paths are to find what media scatter.
 void expect_photons_in_media(ParamReader& params, const ProgressiveSettings& settings, const Scene& scene);
 
+/// Reports an error if photons are to be traced in waves and cannot be.
+void expect_waves(ParamReader& params, const ProgressiveSettings& settings, const Scene& scene,
+                  const RenderSettings& render);
+
 /// Reads the parameters and calls finish().
 ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderSettings& render);
 

@@ -14,10 +14,6 @@
 namespace dspm {
 namespace {
 
-unsigned kind_after(const PhotonPath& path, bool rough) {
-  return rough || path.kind == kDiffusePhotons ? kDiffusePhotons : kCausticPhotons;
-}
-
 class PhotonTracer {
  public:
   PhotonTracer(const Scene& scene, const PhotonSettings& settings, const PhotonStarts& starts, PhotonTrace& out)
@@ -155,7 +151,7 @@ class PhotonTracer {
     if (is_too_deep(path, frames)) return;
     // Choose between smooth and rough lobes first, so that a photon knows which of them scattered it.
     const LobeChoice choice = choose_lobes(bsdf, path, vertex, settings_.least_alpha);
-    const bool wanted = kind_after(path, choice.rough) == kDiffusePhotons ? (settings_.kinds & kDiffusePhotons) != 0
+    const bool wanted = kind_after(path.kind, choice.rough) == kDiffusePhotons ? (settings_.kinds & kDiffusePhotons) != 0
                                                                           : path.caustics && vertex.shape.caustics;
     if (!wanted) return balance(path, frames, &EnergyBalance::terminated);
     const auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::flux, choice.lobes);
@@ -169,7 +165,7 @@ class PhotonTracer {
   void extend(const PhotonPath& path, const Vertex& vertex, const BsdfSample& sample, bool rough,
               std::span<const FrameFactor> factors) {
     PhotonPath& branch = branches_.push(path);
-    branch.kind = kind_after(path, rough);
+    branch.kind = kind_after(path.kind, rough);
     branch.hidden = path.hidden && sample.specular;
     if (settings_.keep_seen) branch.seen = seen_along(scene_, path, started(path), vertex, sample);
     extend_ray(branch, vertex, sample);
@@ -215,6 +211,8 @@ class PhotonTracer {
   BranchingPath<PhotonPath> branches_;
 };
 
+}  // namespace
+
 void clear(PhotonTrace& trace, const StrandTable& of_lights) {
   trace.photons.clear();
   trace.hidden.clear();
@@ -225,8 +223,6 @@ void clear(PhotonTrace& trace, const StrandTable& of_lights) {
   trace.strands = of_lights, trace.own_strands = of_lights.end();
   trace.paths = {}, trace.stored = {}, trace.rejections = {};
 }
-
-}  // namespace
 
 void account(const std::vector<PhotonTrace>& traces, Statistics& statistics) {
   for (const PhotonTrace& trace : traces) {

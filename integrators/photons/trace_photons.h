@@ -10,6 +10,7 @@
 #include "dspm/integrators/photons/curve_photons.h"
 #include "dspm/integrators/photons/medium_photons.h"
 #include "dspm/integrators/photons/photon.h"
+#include "dspm/integrators/photons/photon_kinds.h"
 #include "dspm/integrators/photons/photon_numbers.h"
 #include "dspm/integrators/statistics.h"
 #include "dspm/integrators/transport/strand.h"
@@ -19,14 +20,6 @@ namespace dspm {
 
 class DirectBalance;
 struct EmissionGuides;
-
-/// Photons by their history before they are stored.
-enum PhotonKinds : unsigned {
-  kDirectPhotons = 1,   // not scattered: they come straight from the light
-  kCausticPhotons = 2,  // scattered only by lobes smoother than least_alpha
-  kDiffusePhotons = 4,  // scattered by a rougher lobe at least once
-  kAllPhotons = 7,
-};
 
 struct PhotonSettings {
   std::uint64_t seed = 0;
@@ -81,6 +74,8 @@ inline PathRandom numbers_of(const PhotonSettings& settings, std::uint64_t path_
 /// Adds the traces' counts to `statistics`.
 void account(const std::vector<PhotonTrace>& traces, Statistics& statistics);
 std::size_t bytes_of(const std::vector<PhotonTrace>& traces);
+/// Empties the trace but keeps the memory; its first strands are those of lights.
+void clear(PhotonTrace& trace, const StrandTable& of_lights);
 
 /// Traces paths first .. end - 1 of an iteration in parallel; returns chunks of paths in order. Recycles the buffers in
 /// `reuse` to avoid allocations.

@@ -14,6 +14,7 @@
 #include "dspm/base/math/vec.h"
 #include "dspm/integrators/dimension.h"
 #include "dspm/integrators/transport/medium_vertex.h"
+#include "dspm/integrators/transport/shading_correction.h"
 #include "dspm/integrators/transport/strand.h"
 #include "dspm/integrators/transport/walk.h"
 #include "dspm/materials/relief.h"
@@ -205,14 +206,6 @@ void for_each_escape(const Scene& scene, FrameSet frames, const Ray& ray, int bo
       if (!is_black(radiance)) fn(common, radiance, scene_light, light);
     });
   }
-}
-
-/// Returns the factor to a photon's flux from wo to wi, in addition to f |cos(wi, ns)|, if shading and geometric
-/// normals differ. [Veach 1997, 5.3]
-inline float shading_correction(const SurfacePoint& point, const Vec3& wo, const Vec3& wi) {
-  if (point.ns == point.ng) return 1;
-  const float below = std::abs(dot(wo, point.ng) * dot(wi, point.ns));
-  return below == 0 ? 0 : std::abs(dot(wo, point.ns) * dot(wi, point.ng)) / below;
 }
 
 inline std::optional<BsdfSample> sample_bsdf(const Bsdf& bsdf, const PathState& path, const Vec3& wo,

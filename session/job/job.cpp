@@ -251,8 +251,12 @@ Job make_job(const SceneDescription& description, const Choices& choices, Diagno
     diagnostics.note(
         description.film ? description.film->where : SourceLocation{},
         "the film's sensor responds to wavelengths, so it has no effect in RGB; --colour spectral has them");
+  settings.in_waves = choices.device == "waves";
   settings.noise_per_frame = noise_of(job, sampler, choices) == "perframe";
   if (job.plugin != nullptr) {
+    if (settings.in_waves && !job.plugin->traces_waves)
+      diagnostics.error(job.where, fmt::format("the integrator {} traces no photons in waves", job.integrator),
+                        "--device waves is for dsppm and sppm");
     check_integrator(job, job.params, job.where, diagnostics);
     add_own_integrators(description, choices, job, diagnostics);
   }

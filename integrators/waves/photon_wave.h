@@ -1,0 +1,172 @@
+// One step of a wave of photon paths: what trace_photons.h does between two surfaces, for all paths at once, one bounce
+// after the other. The step is a function of one path's state and of plain values, and leaves all that it makes to `out`:
+// so a device can take it as it stands.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "dspm/base/colour/spectrum.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/base/math/ray.h"
+#include "dspm/base/math/rng.h"
+#include "dspm/base/math/vec.h"
+#include "dspm/integrators/dimension.h"
+#include "dspm/integrators/photons/photon_kinds.h"
+#include "dspm/integrators/transport/gathering_lobes.h"
+#include "dspm/integrators/transport/light_value.h"
+#include "dspm/integrators/transport/shading_correction.h"
+#include "dspm/integrators/transport/shape_face.h"
+#include "dspm/integrators/waves/plain_scene.h"
+
+namespace dspm {
+
+/// The settings that a step needs; see PhotonSettings.
+struct PhotonWave {
+  int max_depth;
+  float least_alpha;
+  unsigned kinds;
+};
+
+/// A photon path on its way, with all that tells it from others.
+struct PhotonState {
+  Ray ray;
+  Spectrum throughput;
+  FrameSet frames;
+  PathRandom random;
+  float must_reach;     // the distance before which the first segment meets nothing that counts
+  std::uint32_t start;  // the path's, among those of the wave
+  std::uint16_t bounces;
+  std::uint8_t kind;
+  bool hidden, caustics;
+  bool wants_direct;  // photons straight from its light are to be stored
+};
+
+/// A photon as a step leaves it, to be ordered by start and bounce.
+struct WavePhoton {
+  Vec3 p, ng, wi;
+  Spectrum flux;
+  FrameSet frames;
+  ShapeFace face;
+  std::uint32_t start;
+  std::uint16_t bounces;
+  std::uint8_t kind;
+  bool hidden;  // see PhotonTrace::hidden
+};
+
+/// Where the flux of a path goes; see EnergyBalance.
+enum class PhotonEnd : std::uint8_t { escaped, absorbed, terminated, too_deep };
+
+constexpr float largest(const Spectrum& s) { return std::max(s[0], std::max(s[1], s[2])); }
+
+/// A path that has met a surface.
+template <class Out>
+class PhotonAtSurface {
+ public:
+  constexpr PhotonAtSurface(const PhotonWave& wave, const PhotonState& path, const PlainPlacedShape& shape,
+                            const FrameHit& part, const SurfaceGeometry& point, Out& out)
+      : wave_(wave), path_(path), shape_(shape), part_(part), point_(point), wo_(-path.ray.direction), out_(out) {}
+
+  template <class AnyBsdf>
+  constexpr void arrive(const AnyBsdf& bsdf) {
+    const bool gathers = gathering_lobes(bsdf, point_, wave_.least_alpha) != 0;
+    const bool is_wanted = path_.kind == kDirectPhotons ? path_.wants_direct : (path_.kind & wave_.kinds) != 0;
+    if (gathers && is_wanted) store(false);
+    if (path_.hidden && path_.bounces > 0 && glossy_lobes(bsdf, point_, wave_.least_alpha) != 0) store(true);
+    scatter(bsdf);
+  }
+
+ private:
+  constexpr void store(bool hidden) {
+    Spectrum flux = path_.throughput;
+    if (!(point_.ns == point_.ng)) {
+      // If the normals disagree about the side, every scattering function is zero.
+      const float geometric = dot(wo_, point_.ng), shading = dot(wo_, point_.ns);
+      if (!(geometric * shading > 0)) return;
+      flux *= shading / geometric;
+    }
+    out_.store({point_.p, point_.ng, wo_, flux, part_.frames, ShapeFace(part_.hit.shape, point_.ng, wo_), path_.start,
+                path_.bounces, path_.kind, hidden});
+  }
+
+  template <class AnyBsdf>
+  constexpr void scatter(const AnyBsdf& bsdf) {
+    if (path_.bounces + 1 >= wave_.max_depth) return out_.end(path_, part_.frames, PhotonEnd::too_deep);
+    const LobeChoice choice =
+        choose_lobes(bsdf, point_, wo_, wave_.least_alpha, [&] { return path_.random.number(path_.bounces, kSplit); });
+    const unsigned kind = kind_after(path_.kind, choice.rough);
+    const bool wanted =
+        kind == kDiffusePhotons ? (wave_.kinds & kDiffusePhotons) != 0 : path_.caustics && shape_.caustics;
+    if (!wanted) return out_.end(path_, part_.frames, PhotonEnd::terminated);
+    const Vec2 u = path_.random.pair(path_.bounces, kScatter);
+    const auto sample =
+        bsdf.sample(wo_, {u.x, u.y, path_.random.number(path_.bounces, kLobe)}, Transport::flux, choice.lobes);
+    const bool valid = !sample || is_finite(sample->wi);
+    if (!valid) out_.reject_material(shape_.material, part_.frames);
+    if (!sample || !valid) return out_.end(path_, part_.frames, PhotonEnd::absorbed);
+    const float correction = shading_correction(point_, wo_, sample->wi);
+    const Spectrum after = path_.throughput * (sample->weight * (correction / choice.chance));
+    const Spectrum surviving = play_roulette(after);
+    if (is_black(surviving)) return;
+    PhotonState next = path_;
+    next.ray = point_.spawn(sample->wi), next.throughput = surviving, next.frames = part_.frames;
+    next.kind = static_cast<std::uint8_t>(kind), next.hidden = path_.hidden && sample->specular;
+    ++next.bounces;
+    out_.push(next);
+  }
+
+  constexpr Spectrum play_roulette(const Spectrum& after) {
+    const Spectrum& before = path_.throughput;
+    if (!is_light(after)) {
+      out_.reject_material(shape_.material, part_.frames);
+      out_.end(path_, part_.frames, PhotonEnd::terminated);
+      return {};
+    }
+    const float p = std::min(1.f, largest(after) / largest(before));
+    const float u = path_.random.number(path_.bounces, kRoulette);
+    const Spectrum surviving = p >= 1 ? after : u < p ? after * (1 / p) : Spectrum();
+    out_.scatter(part_.frames, before, after, surviving);
+    return surviving;
+  }
+
+  const PhotonWave& wave_;
+  const PhotonState& path_;
+  const PlainPlacedShape& shape_;
+  const FrameHit& part_;
+  const SurfaceGeometry& point_;
+  Vec3 wo_;
+  Out& out_;
+};
+
+/// Takes the path to what it meets next. `out` has
+///   void segment(const PhotonState&, const HitPartition&)         a ray was traced
+///   void store(const WavePhoton&)                                 a photon to be stored
+///   void push(const PhotonState&)                                 the path goes on, in the next wave
+///   void end(const PhotonState&, FrameSet, PhotonEnd)             its flux ends in these frames
+///   void scatter(FrameSet, before, after, surviving)              what a surface and roulette make of its flux
+///   void reject_shape(int, FrameSet), reject_material(int, FrameSet)   values that are not finite
+template <class Query, class Out>
+constexpr void step(const PlainScene& scene, const Query& query, const PhotonWave& wave, const PhotonState& path,
+                    Out& out) {
+  const HitPartition parts = query.partition(path.ray, path.frames);
+  out.segment(path, parts);
+  for (const FrameHit& part : parts) {
+    if (part.hit.missed()) {
+      out.end(path, part.frames, PhotonEnd::escaped);
+      continue;
+    }
+    const PlainPlacedShape& shape = scene.shape_of(part.hit);
+    const SurfaceGeometry point = shape.surface_point(part.hit.primitive, part.hit.uv);
+    if (!is_finite(point.p) || !is_finite(point.ng) || !is_finite(point.ns)) {
+      out.reject_shape(part.hit.shape, part.frames);
+      out.end(path, part.frames, PhotonEnd::absorbed);
+    } else if (path.bounces == 0 && part.hit.t < path.must_reach) {
+      out.end(path, part.frames, PhotonEnd::absorbed);
+    } else {
+      PhotonAtSurface<Out> arrived(wave, path, shape, part, point, out);
+      scene.materials[shape.material].with_bsdf(point, [&](const auto& bsdf) { arrived.arrive(bsdf); });
+    }
+  }
+}
+
+}  // namespace dspm
