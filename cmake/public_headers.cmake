@@ -67,8 +67,10 @@ set(toolkit_headers
   integrators/transport/walk.h
   lights/aim.h lights/emitter_light.h lights/point_emitter.h lights/strength.h
   materials/albedo_table.h materials/boundary_tables.h materials/brushed_albedo.h materials/brushed_tables.h
-  materials/fresnel.h materials/interface.h materials/made_up.h materials/per_surroundings.h materials/plain_bsdf.h
-  materials/relief.h materials/rough_boundary.h materials/table_place.h
+  materials/conductor_bsdf.h materials/dielectric_bsdf.h materials/diffuse_bsdf.h
+  materials/fresnel.h materials/interface.h materials/made_up.h materials/metal_tables.h materials/per_surroundings.h
+  materials/plain_bsdf.h materials/plain_material.h materials/relief.h materials/rough_boundary.h materials/table_place.h
+  materials/thin_dielectric_bsdf.h
   media/henyey_greenstein.h
   shapes/beyond_hole.h shapes/curvature.h shapes/cylinder.h shapes/disk.h shapes/plain_shape.h 
   shapes/quadric.h shapes/quadric_shape.h  shapes/sphere.h shapes/triangle.h

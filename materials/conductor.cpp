@@ -15,14 +15,16 @@
 // as in pbrt (tests/materials/energy_test.cpp states how much). A reflectance r stands for eta = 1,
 // k = 2 sqrt(r / (1 - r)).
 // [Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces; Heitz 2014; Kulla and Conty 2017]
-#include "dspm/base/math/vec.h"
+#include <optional>
+
+#include "dspm/base/colour/palette.h"
 #include "dspm/base/params/params.h"
 #include "dspm/materials/conductor_bsdf.h"
 #include "dspm/materials/material.h"
 #include "dspm/materials/metal_tables.h"
-#include "dspm/materials/microfacet.h"
 #include "dspm/materials/parameters.h"
-#include "dspm/materials/shading_frame.h"
+#include "dspm/materials/plain_bsdf.h"
+#include "dspm/materials/plain_material.h"
 
 namespace dspm {
 namespace {
@@ -40,14 +42,19 @@ class ConductorMaterial final : public Material {
   }
 
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
-    const ShadingFrame frame(point);
-    const Vec2 alpha = roughness_.alpha(point);
-    const MetalIndex index = metal_.index(point);
-    if (Ggx::is_smooth(alpha)) return slot.emplace<BsdfOf<SmoothConductor>>(frame, index.eta, index.k);
-    return slot.emplace<BsdfOf<RoughConductor>>(frame, Ggx(alpha), index.eta, index.k, tables_);
+    return look(point).with_bsdf(point, IntoSlot{slot});
   }
 
  private:
+  PlainConductor look(const SurfacePoint& point) const {
+    const MetalIndex index = metal_.index(point);
+    return {roughness_.alpha(point), index.eta, index.k, tables_};
+  }
+  std::optional<PlainMaterial> plain_look(const Palette& palette) const override {
+    if (!roughness_.is_uniform() || !metal_.is_uniform()) return std::nullopt;
+    return look(anywhere(palette));
+  }
+
   Roughness roughness_;
   MetalLook metal_;
   bool makes_up_;

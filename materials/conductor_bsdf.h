@@ -13,6 +13,7 @@
 #include "dspm/materials/microfacet.h"
 #include "dspm/materials/plain_bsdf.h"
 #include "dspm/materials/shading_frame.h"
+#include "dspm/shapes/surface_geometry.h"
 
 namespace dspm {
 
@@ -121,6 +122,20 @@ class RoughConductor final : public PlainBsdf {
   Ggx facets_;
   Spectrum eta_, k_;
   MetalTables tables_;
+};
+
+/// The tables must outlive it.
+struct PlainConductor {
+  Vec2 alpha;
+  Spectrum eta, k;
+  MetalTables tables;
+
+  template <class Fn>
+  constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const Fn& fn) const {
+    const ShadingFrame frame(point);
+    if (Ggx::is_smooth(alpha)) return fn(SmoothConductor(frame, eta, k));
+    return fn(RoughConductor(frame, Ggx(alpha), eta, k, tables));
+  }
 };
 
 }  // namespace dspm

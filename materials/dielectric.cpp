@@ -25,18 +25,18 @@
 #include <memory>
 #include <optional>
 
+#include "dspm/base/colour/palette.h"
 #include "dspm/base/colour/spectrum.h"
-#include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/materials/boundary_tables.h"
 #include "dspm/materials/brushed_tables.h"
 #include "dspm/materials/dielectric_bsdf.h"
 #include "dspm/materials/material.h"
-#include "dspm/materials/microfacet.h"
 #include "dspm/materials/parameters.h"
 #include "dspm/materials/per_surroundings.h"
+#include "dspm/materials/plain_bsdf.h"
+#include "dspm/materials/plain_material.h"
 #include "dspm/materials/refractive_index.h"
-#include "dspm/materials/shading_frame.h"
 
 namespace dspm {
 namespace {
@@ -74,14 +74,7 @@ class DielectricMaterial final : public Material {
   }
 
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
-    const ShadingFrame frame(point);
-    const Refraction refraction(index_, point);
-    const float share = std::min(share_of_roughness(refraction.mean_eta), share_of_roughness(refraction.eta));
-    const Vec2 alpha = roughness_.alpha(point) * share;
-    if (Ggx::is_smooth(alpha) || refraction.mean_eta == 1)
-      return slot.emplace<BsdfOf<SmoothDielectric>>(frame, refraction);
-    return slot.emplace<BsdfOf<RoughDielectric>>(frame, Ggx(alpha), refraction,
-                                                 tables_ ? tables_->of(point.outside_eta).tables() : GlassTables{});
+    return look(point).with_bsdf(point, IntoSlot{slot});
   }
   bool bounds_a_body() const override { return true; }
   float eta() const override { return index_.mean(); }
@@ -90,6 +83,16 @@ class DielectricMaterial final : public Material {
   Spectrum absorption(const Palette& palette) const override { return absorption_.per_length(palette); }
 
  private:
+  PlainDielectric look(const SurfacePoint& point) const {
+    const Refraction refraction(index_, point);
+    const float share = std::min(share_of_roughness(refraction.mean_eta), share_of_roughness(refraction.eta));
+    return {roughness_.alpha(point) * share, refraction,
+            tables_ ? tables_->of(point.outside_eta).tables() : GlassTables{}};
+  }
+  std::optional<PlainMaterial> plain_look(const Palette& palette) const override {
+    return roughness_.is_uniform() ? std::optional<PlainMaterial>(look(anywhere(palette))) : std::nullopt;
+  }
+
   RefractiveIndex index_;
   Roughness roughness_;
   bool makes_up_;

@@ -18,6 +18,7 @@
 #include "dspm/materials/refractive_index.h"
 #include "dspm/materials/rough_boundary.h"
 #include "dspm/materials/shading_frame.h"
+#include "dspm/shapes/surface_geometry.h"
 
 namespace dspm {
 
@@ -204,5 +205,19 @@ constexpr float RoughDielectric::lobe_probability(const Vec3& wo, LobeSet lobes)
   }
   return rest + (1 - made_up) * share_of(sum / (kSteps * kSteps), lobes);
 }
+
+/// The tables must outlive it.
+struct PlainDielectric {
+  Vec2 alpha;
+  Refraction refraction;
+  GlassTables tables;
+
+  template <class Fn>
+  constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const Fn& fn) const {
+    const ShadingFrame frame(point);
+    if (Ggx::is_smooth(alpha) || refraction.mean_eta == 1) return fn(SmoothDielectric(frame, refraction));
+    return fn(RoughDielectric(frame, Ggx(alpha), refraction, tables));
+  }
+};
 
 }  // namespace dspm

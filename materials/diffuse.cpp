@@ -5,11 +5,16 @@
 //   reflectance   spectrum texture   0.5   fraction of the light that is reflected, clamped to 0..1
 //
 // [Lambert 1760, Photometria]
+#include <optional>
+
+#include "dspm/base/colour/palette.h"
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/params/params.h"
 #include "dspm/materials/diffuse_bsdf.h"
 #include "dspm/materials/material.h"
 #include "dspm/materials/parameters.h"
+#include "dspm/materials/plain_bsdf.h"
+#include "dspm/materials/plain_material.h"
 
 namespace dspm {
 namespace {
@@ -19,12 +24,18 @@ class DiffuseMaterial final : public Material {
   explicit DiffuseMaterial(TexturePtr<Rgb> reflectance)
       : reflectance_(std::move(reflectance)), is_linear_(reflectance_->averages()) {}
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
-    return slot.emplace<BsdfOf<Diffuse>>(point.ng, point.ns,
-                                         clamped_albedo(reflectance_->carried(texture_point(point))) / kPi);
+    return look(point).with_bsdf(point, IntoSlot{slot});
   }
   bool is_linear() const override { return is_linear_; }
 
  private:
+  PlainDiffuse look(const SurfacePoint& point) const {
+    return {clamped_albedo(reflectance_->carried(texture_point(point))) / kPi};
+  }
+  std::optional<PlainMaterial> plain_look(const Palette& palette) const override {
+    return reflectance_->is_uniform() ? std::optional<PlainMaterial>(look(anywhere(palette))) : std::nullopt;
+  }
+
   TexturePtr<Rgb> reflectance_;
   bool is_linear_;
 };

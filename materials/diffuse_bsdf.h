@@ -9,6 +9,7 @@
 #include "dspm/base/math/sampling.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/plain_bsdf.h"
+#include "dspm/shapes/surface_geometry.h"
 
 namespace dspm {
 
@@ -46,6 +47,15 @@ class Diffuse final : public PlainBsdf {
 
   Vec3 ng_, ns_;
   Spectrum f_;
+};
+
+struct PlainDiffuse {
+  Spectrum f;
+
+  template <class Fn>
+  constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const Fn& fn) const {
+    return fn(Diffuse(point.ng, point.ns, f));
+  }
 };
 
 }  // namespace dspm

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 
+#include "dspm/base/colour/palette.h"
 #include "dspm/base/colour/spectrum.h"
 #include "dspm/base/params/params.h"
 #include "dspm/base/params/registry.h"
@@ -14,6 +16,7 @@
 
 namespace dspm {
 
+class PlainMaterial;
 class Relief;
 class TextureSet;
 
@@ -62,7 +65,15 @@ class Material {
   int priority() const { return priority_; }
   void set_priority(int priority) { priority_ = priority; }
 
+  /// Returns the material as paths of that palette see it, as a plain value, which a device can have. It has the Bsdfs of
+  /// bsdf() wherever outside_eta and outside_dispersion of the point are 1. Returns nullopt if there is more to say:
+  /// textures that vary, a relief, a priority, dispersion, what light meets in the body. The material must outlive it.
+  std::optional<PlainMaterial> plain(const Palette& palette) const;
+
  private:
+  /// plain() of a material without relief or priority, in whose body nothing happens to light, and that does not disperse.
+  virtual std::optional<PlainMaterial> plain_look(const Palette& palette) const;
+
   std::shared_ptr<const Relief> relief_;
   int priority_ = 0;
 };

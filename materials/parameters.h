@@ -20,6 +20,13 @@ inline TexturePoint texture_point(const SurfacePoint& point) {
   return {point.p, point.uv, point.ng, point.dpdu, point.dpdv, point.dpdx, point.dpdy, point.vertices, point.palette};
 }
 
+/// Any place, for paths of that palette: what is uniform (Texture::is_uniform) is looked up there.
+inline SurfacePoint anywhere(const Palette& palette) {
+  SurfacePoint point{};
+  point.palette = &palette;
+  return point;
+}
+
 /// Clamps to what a surface can reflect, because a texture may exceed it.
 inline Spectrum clamped_albedo(const Spectrum& c) {
   return map(c, [](float share) { return std::clamp(share, 0.f, 1.f); });
@@ -38,6 +45,8 @@ class Roughness {
   /// These return whether the surface is smooth, or equally rough in both directions, at every point.
   bool is_smooth() const { return u_->constant() == 0.f && v_->constant() == 0.f; }
   bool is_even() const { return u_ == v_ || (u_->constant() && u_->constant() == v_->constant()); }
+  /// Returns whether alpha() is the same everywhere.
+  bool is_uniform() const { return u_->is_uniform() && v_->is_uniform(); }
 
  private:
   TexturePtr<float> u_, v_;
@@ -61,6 +70,8 @@ class MetalLook {
  public:
   MetalLook(ParamReader& reader, const MaterialContext& context, const std::string& prefix = "");
   MetalIndex index(const SurfacePoint& point) const;
+  /// Returns whether index() is the same everywhere.
+  bool is_uniform() const { return eta_or_reflectance_->is_uniform() && k_->is_uniform(); }
 
  private:
   bool by_reflectance_;

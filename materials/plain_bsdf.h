@@ -1,6 +1,7 @@
 // Bsdfs as plain values, without virtual functions, which a device can have: nvcc makes no virtual function one for
 // devices, constexpr or not, and an address of the CPU's functions is worth nothing there. BsdfOf makes a Bsdf of such a
-// value.
+// value. Beside each kind stands what a material says of it, once its textures are looked up: with_bsdf() calls a function
+// of any Bsdf with the one that it is at a point.
 #pragma once
 
 #include <concepts>
@@ -43,6 +44,16 @@ class BsdfOf final : public Bsdf {
 
  private:
   Plain plain_;
+};
+
+/// Puts a Bsdf of which it is told into a slot.
+struct IntoSlot {
+  BsdfSlot& slot;
+
+  template <std::derived_from<PlainBsdf> Plain>
+  const Bsdf& operator()(const Plain& plain) const {
+    return slot.emplace<BsdfOf<Plain>>(plain);
+  }
 };
 
 }  // namespace dspm

@@ -11,13 +11,13 @@
 
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/bsdf.h"
-#include "dspm/shapes/shape.h"
+#include "dspm/shapes/surface_geometry.h"
 
 namespace dspm {
 
 class ShadingFrame {
  public:
-  constexpr explicit ShadingFrame(const SurfacePoint& point) : ShadingFrame(point.ns, point.ng, point.dpdu) {}
+  constexpr explicit ShadingFrame(const SurfaceGeometry& point) : ShadingFrame(point.ns, point.ng, point.dpdu) {}
   constexpr ShadingFrame(const Vec3& ns, const Vec3& ng, const Vec3& tangent)
       : x_(Basis::around(ns, tangent).x), z_(ns), ng_(ng) {}
 

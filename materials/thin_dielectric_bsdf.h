@@ -13,6 +13,7 @@
 #include "dspm/materials/interface.h"
 #include "dspm/materials/plain_bsdf.h"
 #include "dspm/materials/shading_frame.h"
+#include "dspm/shapes/surface_geometry.h"
 
 namespace dspm {
 
@@ -70,6 +71,16 @@ class ThinDielectric final : public PlainBsdf {
   ShadingFrame frame_;
   float eta_;
   Spectrum tint_;
+};
+
+struct PlainThinDielectric {
+  float eta;
+  Spectrum tint;
+
+  template <class Fn>
+  constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const Fn& fn) const {
+    return fn(ThinDielectric(ShadingFrame(point), eta, tint));
+  }
 };
 
 }  // namespace dspm

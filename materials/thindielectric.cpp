@@ -7,11 +7,15 @@
 //
 // Light goes straight through or is mirrored; both include the light reflected back and forth inside the pane.
 // A spectrum for eta is averaged over the colours.
+#include <optional>
+
+#include "dspm/base/colour/palette.h"
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/params/params.h"
 #include "dspm/materials/material.h"
 #include "dspm/materials/parameters.h"
-#include "dspm/materials/shading_frame.h"
+#include "dspm/materials/plain_bsdf.h"
+#include "dspm/materials/plain_material.h"
 #include "dspm/materials/thin_dielectric_bsdf.h"
 
 namespace dspm {
@@ -21,11 +25,17 @@ class ThinDielectricMaterial final : public Material {
  public:
   ThinDielectricMaterial(float eta, TexturePtr<Rgb> tint) : eta_(eta), tint_(std::move(tint)) {}
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
-    return slot.emplace<BsdfOf<ThinDielectric>>(ShadingFrame(point), eta_,
-                                                clamped_albedo(tint_->carried(texture_point(point))));
+    return look(point).with_bsdf(point, IntoSlot{slot});
   }
 
  private:
+  PlainThinDielectric look(const SurfacePoint& point) const {
+    return {eta_, clamped_albedo(tint_->carried(texture_point(point)))};
+  }
+  std::optional<PlainMaterial> plain_look(const Palette& palette) const override {
+    return tint_->is_uniform() ? std::optional<PlainMaterial>(look(anywhere(palette))) : std::nullopt;
+  }
+
   float eta_;
   TexturePtr<Rgb> tint_;
 };

@@ -56,6 +56,9 @@ class Texture {
   virtual Carried<T> carried(const TexturePoint& at) const { return dspm::carried(evaluate(at), at); }
   /// Returns the value if it is the same everywhere. Call it once, when a material is made.
   virtual std::optional<T> constant() const { return std::nullopt; }
+  /// Returns whether carried() is the same everywhere, to the bit. What has a constant() may be made of several spectra of
+  /// one colour, or be rounded in one way here and in another there.
+  virtual bool is_uniform() const { return false; }
   /// Returns whether evaluate() over a footprint is the mean of its values at points, and these lie in 0..1, so that
   /// nothing cuts them off before they are averaged. Other textures are looked up at points only. Call it once, too.
   virtual bool averages() const { return false; }
@@ -91,6 +94,7 @@ class ConstantTexture final : public Texture<T> {
   T evaluate(const TexturePoint&) const override { return value_; }
   Carried<T> carried(const TexturePoint& at) const override { return dspm::carried(value_, at); }
   std::optional<T> constant() const override { return value_; }
+  bool is_uniform() const override { return true; }
   bool averages() const override { return is_albedo(Rgb(value_)); }
 
  private:
@@ -104,6 +108,7 @@ class SpectrumTexture final : public Texture<Rgb> {
   Rgb evaluate(const TexturePoint&) const override { return colour_.rgb; }
   Spectrum carried(const TexturePoint& at) const override { return at.palette->carried(colour_); }
   std::optional<Rgb> constant() const override { return colour_.rgb; }
+  bool is_uniform() const override { return true; }
   bool averages() const override { return is_albedo(colour_.rgb); }
 
  private:

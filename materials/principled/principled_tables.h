@@ -6,7 +6,7 @@
 #include "dspm/materials/albedo_table.h"
 #include "dspm/materials/boundary_tables.h"
 #include "dspm/materials/brushed_tables.h"
-#include "dspm/materials/layer_balance.h"
+#include "dspm/materials/principled/layer_balance.h"
 
 namespace dspm {
 

@@ -1,5 +1,5 @@
 // Layers over facets: all that a layer leaves to white facets passes it again.
-#include "dspm/materials/layer_balance.h"
+#include "dspm/materials/principled/layer_balance.h"
 
 #include <gtest/gtest.h>
 

@@ -120,7 +120,7 @@ moved() {
   local folder=$work/moved files="materials/dielectric.cpp shapes/sphere.cpp textures/checkerboard.cpp lights/spot.cpp
     cameras/perspective.cpp accel/brute_force.cpp integrators/methods/dsppm/dsppm.cpp integrators/methods/dsppm/hj09.cpp
     integrators/methods/dsppm/kz11.cpp" file
-  for file in $files materials/dielectric_bsdf.h integrators/methods/dsppm/dsppm.h integrators/methods/dsppm/four_frames.h accel/brute_force.h; do
+  for file in $files integrators/methods/dsppm/dsppm.h integrators/methods/dsppm/four_frames.h accel/brute_force.h; do
     mkdir -p "$folder/dspm/$(dirname "$file")"
     cp "$source_dir/$file" "$folder/dspm/$file"
   done

@@ -1,4 +1,4 @@
-#include "dspm/materials/layer_balance.h"
+#include "dspm/materials/principled/layer_balance.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,43 @@
+// A material whose textures do not vary as a plain value, which a device can have: one of a few kinds.
+#pragma once
+
+#include "dspm/materials/conductor_bsdf.h"
+#include "dspm/materials/dielectric_bsdf.h"
+#include "dspm/materials/diffuse_bsdf.h"
+#include "dspm/materials/thin_dielectric_bsdf.h"
+#include "dspm/shapes/surface_geometry.h"
+
+namespace dspm {
+
+class PlainMaterial {
+  enum class Kind : unsigned char { diffuse, dielectric, conductor, thin_dielectric };
+
+ public:
+  constexpr PlainMaterial(const PlainDiffuse& diffuse) : kind_(Kind::diffuse), diffuse_(diffuse) {}
+  constexpr PlainMaterial(const PlainDielectric& dielectric) : kind_(Kind::dielectric), dielectric_(dielectric) {}
+  constexpr PlainMaterial(const PlainConductor& conductor) : kind_(Kind::conductor), conductor_(conductor) {}
+  constexpr PlainMaterial(const PlainThinDielectric& pane) : kind_(Kind::thin_dielectric), thin_dielectric_(pane) {}
+
+  /// Calls fn(const Plain&) with the Bsdf at the point (plain_bsdf.h), and returns what it does: one type for all Bsdfs.
+  template <class Fn>
+  constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const Fn& fn) const {
+    switch (kind_) {
+      case Kind::diffuse: return diffuse_.with_bsdf(point, fn);
+      case Kind::dielectric: return dielectric_.with_bsdf(point, fn);
+      case Kind::conductor: return conductor_.with_bsdf(point, fn);
+      case Kind::thin_dielectric: break;
+    }
+    return thin_dielectric_.with_bsdf(point, fn);
+  }
+
+ private:
+  Kind kind_;
+  union {
+    PlainDiffuse diffuse_;
+    PlainDielectric dielectric_;
+    PlainConductor conductor_;
+    PlainThinDielectric thin_dielectric_;
+  };
+};
+
+}  // namespace dspm

@@ -1,0 +1,232 @@
+// Plain materials, against those that they are of: their Bsdfs answer the same, to the bit, and what they cannot say makes
+// that there are none.
+#include "dspm/materials/plain_material.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+
+#include "dspm/materials/mix.h"
+#include "dspm/materials/relief.h"
+#include "tests/materials/materials.h"
+
+namespace dspm::test {
+namespace {
+
+class Bits {
+ public:
+  void add(float value) { all_.push_back(std::bit_cast<std::uint32_t>(value)); }
+  void add(const Vec3& v) { add(v.x), add(v.y), add(v.z); }
+  void add(const Spectrum& s) { add(s[0]), add(s[1]), add(s[2]); }
+  void add(bool flag) { all_.push_back(flag); }
+  void add(LobeSet lobes) { all_.push_back(lobes); }
+  void add(const BsdfSample& sample) {
+    add(sample.wi), add(sample.weight), add(sample.pdf_w), add(sample.specular), add(sample.eta_scale);
+    add(sample.ahead.has_value()), add(sample.by_wavelength);
+  }
+  template <class T>
+  void add(const std::optional<T>& value) {
+    add(value.has_value());
+    if (value) add(*value);
+  }
+  friend bool operator==(const Bits&, const Bits&) = default;
+
+ private:
+  std::vector<std::uint32_t> all_;
+};
+
+PathRandom random_numbers(int index) { return {7, Stream::photon, static_cast<std::uint64_t>(index), 0}; }
+
+/// All that a Bsdf, plain or not, answers for random directions and numbers.
+template <class AnyBsdf>
+Bits answers(const AnyBsdf& bsdf, int index) {
+  const PathRandom random = random_numbers(index);
+  const Vec3 wo = any_direction(random, 0), wi = any_direction(random, 1), u = three_numbers(random, 2);
+  Bits bits;
+  for (const float least_alpha : {0.f, 1e-6f, 0.3f}) bits.add(bsdf.lobes(least_alpha));
+  for (const LobeSet lobes : subsets_of(bsdf.lobes(0))) {
+    for (const Transport transport : {Transport::radiance, Transport::flux}) {
+      const auto sample = bsdf.sample(wo, u, transport, lobes);
+      bits.add(sample);
+      for (const Vec3& w : {wi, sample ? sample->wi : wo}) {
+        bits.add(bsdf.evaluate(wo, w, transport, lobes));
+        bits.add(bsdf.pdf_w(wo, w, transport, lobes));
+        bits.add(bsdf.disperses(wo, w));
+      }
+    }
+    bits.add(bsdf.lobe_probability(wo, lobes));
+    bits.add(bsdf.transmits(lobes));
+    bits.add(bsdf.lambertian(lobes));
+  }
+  return bits;
+}
+
+/// A point whose shading normal leans.
+SurfacePoint random_point(int index, const Palette& palette) {
+  const PathRandom random = random_numbers(index);
+  const Vec3 ng = any_direction(random, 10), other = any_direction(random, 11);
+  SurfacePoint point = surface();
+  point.p = three_numbers(random, 12) * 9;
+  point.ng = ng, point.ns = index % 4 == 0 ? ng : normalize(ng + other * 0.8f);
+  point.dpdu = any_direction(random, 13), point.uv = random.pair(14, 0);
+  point.palette = &palette;
+  return point;
+}
+
+void expect_same_answers(const Material& material, const std::string& name) {
+  const auto spectral = Palette::of_iteration(3, 5);
+  for (const Palette* palette : {&Palette::rgb(), spectral.get()}) {
+    const std::optional<PlainMaterial> plain = material.plain(*palette);
+    ASSERT_TRUE(plain) << name;
+    for (int i = 0; i < 200; ++i) {
+      const SurfacePoint point = random_point(i, *palette);
+      BsdfSlot slot;
+      const Bits expected = answers(material.bsdf(point, slot), i);
+      ASSERT_TRUE(plain->with_bsdf(point, [&](const auto& bsdf) { return answers(bsdf, i); }) == expected)
+          << name << ", point " << i << (palette->is_rgb() ? "" : ", spectral");
+    }
+  }
+}
+
+/// Draws parameters.
+class Draw {
+ public:
+  explicit Draw(int index) : random_(random_numbers(1000 + index)) {}
+
+  float between(float a, float b) { return a + (b - a) * random_.number(n_++, 0); }
+  Param colour(const std::string& name) { return rgb(name, Rgb(between(0, 1), between(0, 1), between(0, 1))); }
+  Param spectrum(const std::string& name) {
+    return {ParamType::spectrum,
+            name,
+            {},
+            std::vector<float>{400, between(0, 1), 550, between(0, 1), 700, between(0, 1)},
+            {},
+            {}};
+  }
+
+ private:
+  PathRandom random_;
+  int n_ = 0;
+};
+
+TEST(PlainMaterial, Diffuse) {
+  for (int i = 0; i < 8; ++i) {
+    Draw draw(i);
+    expect_same_answers(*make("diffuse", {i % 2 == 0 ? draw.colour("reflectance") : draw.spectrum("reflectance")}),
+                        "diffuse");
+  }
+}
+
+TEST(PlainMaterial, ThinDielectric) {
+  for (int i = 0; i < 8; ++i) {
+    Draw draw(i);
+    expect_same_answers(*make("thindielectric", {number("eta", draw.between(0.7f, 2.5f)),
+                                                 i % 2 == 0 ? draw.colour("tint") : draw.spectrum("tint")}),
+                        "thin dielectric");
+  }
+}
+
+/// Smooth, of facets equally rough in both directions, and brushed.
+std::vector<std::vector<Param>> roughnesses(Draw& draw) {
+  const float u = draw.between(0.01f, 1), v = draw.between(0.01f, 1);
+  return {{},
+          {number("roughness", u)},
+          {number("roughness", v), flag("remaproughness", false), kLossy},
+          {number("uroughness", u), number("vroughness", v)}};
+}
+
+TEST(PlainMaterial, Conductor) {
+  for (int i = 0; i < 4; ++i) {
+    Draw draw(i);
+    for (std::vector<Param> params : roughnesses(draw)) {
+      if (i % 2 == 0) params.push_back(i == 0 ? draw.colour("reflectance") : draw.spectrum("reflectance"));
+      if (i == 1) params.insert(params.end(), {draw.colour("eta"), draw.spectrum("k")});
+      expect_same_answers(*make("conductor", params), "conductor");
+    }
+  }
+}
+
+TEST(PlainMaterial, Dielectric) {
+  for (int i = 0; i < 3; ++i) {
+    Draw draw(i);
+    const float etas[] = {1.35f, 1.02f, draw.between(0.7f, 0.8f)};  // tables of others would take longer
+    for (std::vector<Param> params : roughnesses(draw)) {
+      params.push_back(number("eta", etas[i]));
+      expect_same_answers(*make("dielectric", params), "dielectric");
+    }
+  }
+  expect_same_answers(*make("dielectric", {number("eta", 1), alpha(0.3f)}), "dielectric that is not there");
+}
+
+std::optional<PlainMaterial> plain_of(const Material& material) { return material.plain(Palette::rgb()); }
+
+TEST(PlainMaterial, OnlyOfSomePlugins) {
+  for (const Plugin<MakeMaterial>& plugin : material_plugins()) {
+    if (plugin.name == "measured" || plugin.name == "mix") continue;
+    const bool is_plain = plugin.name == "diffuse" || plugin.name == "dielectric" || plugin.name == "conductor" ||
+                          plugin.name == "thindielectric";
+    EXPECT_EQ(plain_of(*make(plugin.name, {})).has_value(), is_plain) << plugin.name;
+  }
+  const auto grey = [] { return std::shared_ptr<const Material>(make("diffuse", {})); };
+  const MixMaterial mix({grey(), grey()}, std::make_shared<ConstantTexture<float>>(0.5f));
+  EXPECT_FALSE(plain_of(mix));
+}
+
+/// The same colour everywhere, but not of the same spectrum.
+class Metamers final : public RgbTexture {
+ public:
+  Rgb evaluate(const TexturePoint&) const override { return Rgb(0.5f); }
+  std::optional<Rgb> constant() const override { return Rgb(0.5f); }
+};
+class Ramp final : public FloatTexture {
+ public:
+  float evaluate(const TexturePoint& at) const override { return at.uv.x; }
+};
+
+TEST(PlainMaterial, NotOfTexturesThatVary) {
+  TextureSet textures;
+  textures.add<Rgb>("metamers", std::make_shared<Metamers>());
+  textures.add<float>("ramp", std::make_shared<Ramp>());
+  textures.add<float>("half", std::make_shared<ConstantTexture<float>>(0.5f));
+  const auto plain_with = [&](std::string_view type, const char* param, const char* texture) {
+    Diagnostics diagnostics;
+    const ParamList list{{{ParamType::texture, param, {}, std::vector<std::string>{texture}, {}, {}}}};
+    ParamReader reader(list, "material", {}, diagnostics);
+    const auto material = material_plugins().find(type)->make(reader, MaterialContext{textures});
+    EXPECT_TRUE(diagnostics.all().empty());
+    return plain_of(*material);
+  };
+  EXPECT_FALSE(plain_with("diffuse", "reflectance", "metamers"));
+  EXPECT_FALSE(plain_with("thindielectric", "tint", "metamers"));
+  for (const char* param : {"eta", "k", "reflectance"}) EXPECT_FALSE(plain_with("conductor", param, "metamers"));
+  for (const char* type : {"conductor", "dielectric"}) {
+    for (const char* param : {"roughness", "uroughness", "vroughness"})
+      EXPECT_FALSE(plain_with(type, param, "ramp")) << type << " " << param;
+    EXPECT_TRUE(plain_with(type, "roughness", "half")) << type;
+  }
+}
+
+TEST(PlainMaterial, NotOfBodiesThatDoSomethingToLight) {
+  EXPECT_FALSE(plain_of(*make("dielectric", {rgb("attenuationcolor", {1, 0.9f, 1})})));
+  EXPECT_FALSE(plain_of(*make("dielectric", {number("abbe", 40)})));
+  EXPECT_FALSE(plain_of(*make("dielectric", {text("glass", "BK7")})));
+}
+
+class Upright final : public Relief {
+ public:
+  Vec3 normal(const SurfacePoint&, const PlacedShape&, int, Vec2) const override { return {0, 0, 1}; }
+};
+
+TEST(PlainMaterial, NotWithReliefOrPriority) {
+  for (const char* type : {"diffuse", "dielectric", "conductor", "thindielectric"}) {
+    const auto bumpy = make(type, {}), first = make(type, {});
+    bumpy->set_relief(std::make_shared<Upright>());
+    EXPECT_FALSE(plain_of(*bumpy)) << type;
+    first->set_priority(1);
+    EXPECT_FALSE(plain_of(*first)) << type;
+  }
+}
+
+}  // namespace
+}  // namespace dspm::test
