@@ -1,5 +1,5 @@
-// The query of accel.h as devices answer it: one tree of what is the same in all frames, and one a frame of what is not
-// (or one for all of them). A device has no room for a nearest distance per frame, so it looks for each frame by itself.
+// The query of accel.h as devices answer it: one tree of what is the same in all frames, and one a frame of what is not.
+// A device has no room for a nearest distance per frame, so it looks for each frame by itself.
 #pragma once
 
 #include "dspm/accel/nearest_hit.h"
@@ -12,17 +12,17 @@ namespace dspm {
 
 struct PlainQuery {
   PlainTree still;
-  const PlainTree* moving = nullptr;  // null: nothing moves
-  bool by_frame = false;              // there is one for each frame, else one for all
-
-  constexpr const PlainTree& moving_in(Frame frame) const { return moving[by_frame ? frame : 0]; }
+  PlainTree moving;                     // all that is not the same in all frames
+  const PlainTree* of_frame = nullptr;  // the same frame by frame; null: there are no such trees
+  float margins = 1;                    // the most that one of the trees needs
 
   /// Returns what Accel::partition() returns.
-  constexpr HitPartition partition(const Ray& ray, FrameSet frames) const {
+  constexpr HitPartition partition(const Ray& r, FrameSet frames) const {
     HitPartition parts;
-    NearestHit nearest(frames, ray.t_max);
+    const PlainRay ray(r, margins);
+    NearestHit nearest(frames, r.t_max);
     find(still, ray, nearest);
-    if (moving == nullptr) {
+    if (!enters(moving, ray, nearest.limit())) {
       if (!frames.empty()) parts.add(frames, nearest.hit());
       return parts;
     }
@@ -35,14 +35,15 @@ struct PlainQuery {
   }
 
   /// Returns what Accel::occluded() returns.
-  constexpr FrameSet occluded(const Ray& ray, FrameSet frames) const {
-    AnyHit any(frames, ray.t_max);
+  constexpr FrameSet occluded(const Ray& r, FrameSet frames) const {
+    const PlainRay ray(r, margins);
+    AnyHit any(frames, r.t_max);
     find(still, ray, any);
     if (any.found()) return frames;
     FrameSet blocked;
-    if (moving == nullptr) return blocked;
+    if (!enters(moving, ray, r.t_max)) return blocked;
     frames.for_each([&](Frame f) {
-      AnyHit own(FrameSet::single(f), ray.t_max);
+      AnyHit own(FrameSet::single(f), r.t_max);
       find(moving_in(f), ray, own);
       if (own.found()) blocked |= FrameSet::single(f);
     });
@@ -50,6 +51,8 @@ struct PlainQuery {
   }
 
  private:
+  constexpr const PlainTree& moving_in(Frame frame) const { return of_frame != nullptr ? of_frame[frame] : moving; }
+
   static constexpr void add(HitPartition& parts, Frame frame, const RayHit& hit) {
     for (int i = 0; i < parts.size(); ++i) {
       if (parts[i].hit.shape != hit.shape || parts[i].hit.primitive != hit.primitive) continue;

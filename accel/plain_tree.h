@@ -134,31 +134,44 @@ constexpr void pass_on(const AnyHit& own, int, FrameSet frames, AnyHit& query) {
   if (own.found()) query.offer({}, frames);
 }
 
+/// A ray prepared for trees of which none has more margins.
+struct PlainRay {
+  Ray ray;
+  MeshRay mesh;
+  BoxRay box;
+
+  constexpr PlainRay(const Ray& r, float margins) : ray(r), mesh(r), box(r, margins) {}
+};
+
 /// Finds hits on a mesh in its own space.
 template <class Query>
 constexpr void find_on_mesh(const PlainTree& mesh, const Ray& ray, Query& query) {
-  const MeshRay prepared(ray);
-  const BoxRay box(ray, mesh.margins);
-  if (mesh.empty() || is_nowhere(box)) return;
-  traverse(mesh, box, query, [&](std::uint32_t leaf) {
-    for_each_packet(mesh, leaf, [&](const TrianglePacket& packet) { find_in(packet, prepared, mesh.frames, query); });
+  const PlainRay prepared(ray, mesh.margins);
+  if (mesh.empty() || is_nowhere(prepared.box)) return;
+  traverse(mesh, prepared.box, query, [&](std::uint32_t leaf) {
+    for_each_packet(mesh, leaf,
+                    [&](const TrianglePacket& packet) { find_in(packet, prepared.mesh, mesh.frames, query); });
   });
+}
+
+/// Returns whether the ray enters one of the root's boxes within `limit`; if not, it hits nothing there.
+constexpr bool enters(const PlainTree& tree, const PlainRay& ray, float limit) {
+  float entry[Bvh::kWidth];
+  return !tree.empty() && !is_nowhere(ray.box) && entered_children(tree.nodes[tree.root], ray.box, limit, entry) != 0;
 }
 
 /// Offers the ray's hits to `query`.
 template <class Query>
-constexpr void find(const PlainTree& tree, const Ray& ray, Query& query) {
-  const MeshRay prepared(ray);
-  const BoxRay box(ray, tree.margins);
-  if (tree.empty() || is_nowhere(box)) return;
-  traverse(tree, box, query, [&](std::uint32_t leaf) {
+constexpr void find(const PlainTree& tree, const PlainRay& ray, Query& query) {
+  if (tree.empty() || is_nowhere(ray.box)) return;
+  traverse(tree, ray.box, query, [&](std::uint32_t leaf) {
     if (leaf < kPlaced)
       return for_each_packet(tree, leaf,
-                             [&](const TrianglePacket& packet) { find_in(packet, prepared, tree.frames, query); });
+                             [&](const TrianglePacket& packet) { find_in(packet, ray.mesh, tree.frames, query); });
     const PlainTree::Placed& placed = tree.placed[leaf - kPlaced];
     const FrameSet frames = placed.frames & query.frames();
     if (frames.empty()) return;
-    const Ray own_ray = placed.in_object_space ? placed.to_world.inverse_ray(ray) : ray;
+    const Ray own_ray = placed.in_object_space ? placed.to_world.inverse_ray(ray.ray) : ray.ray;
     if (placed.mesh == nullptr) {
       if (const auto hit = meet(placed.shape, own_ray)) query.offer({hit->t, placed.number, 0, hit->uv}, frames);
       return;

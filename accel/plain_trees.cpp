@@ -17,11 +17,10 @@ int first_not_plain(std::span<const PlacedShape> shapes) {
 
 PlainTrees::PlainTrees(const TwoLevel& trees) {
   query_.still = plain(trees.static_tree());
-  if (trees.dynamic_tree().empty()) return;
-  for (const Tree& tree : trees.trees_of_frames()) moving_.push_back(plain(tree));
-  query_.by_frame = !moving_.empty();
-  if (moving_.empty()) moving_.push_back(plain(trees.dynamic_tree()));
-  query_.moving = moving_.data();
+  query_.moving = plain(trees.dynamic_tree());
+  for (const Tree& tree : trees.trees_of_frames()) of_frame_.push_back(plain(tree));
+  if (!of_frame_.empty()) query_.of_frame = of_frame_.data();
+  query_.margins = std::max(query_.still.margins, query_.moving.margins);
 }
 
 PlainTree PlainTrees::plain(const Tree& tree) {

@@ -28,7 +28,7 @@ class PlainTrees {
 
   std::map<const Tree*, PlainTree> meshes_;  // lookups only; their addresses stay
   std::deque<std::vector<PlainTree::Placed>> placed_;
-  std::vector<PlainTree> moving_;
+  std::vector<PlainTree> of_frame_;
   PlainQuery query_;
 };
 

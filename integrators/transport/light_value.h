@@ -7,7 +7,7 @@ namespace dspm {
 
 /// Returns whether it can be radiance, flux or a factor to them: finite, and never negative.
 template <Components T>
-bool is_light(const T& c) {
+constexpr bool is_light(const T& c) {
   return c[0] >= 0 && c[1] >= 0 && c[2] >= 0 && is_finite(c);
 }
 

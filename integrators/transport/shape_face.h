@@ -10,12 +10,12 @@ namespace dspm {
 
 class ShapeFace {
  public:
-  ShapeFace() = default;
+  constexpr ShapeFace() = default;
   /// The face that looks towards w; `ng` points outward.
-  ShapeFace(int shape, const Vec3& ng, const Vec3& w) : number_(dot(w, ng) < 0 ? ~shape : shape) {}
+  constexpr ShapeFace(int shape, const Vec3& ng, const Vec3& w) : number_(dot(w, ng) < 0 ? ~shape : shape) {}
 
-  int shape() const { return number_ < 0 ? ~number_ : number_; }
-  bool is_inner() const { return number_ < 0; }
+  constexpr int shape() const { return number_ < 0 ? ~number_ : number_; }
+  constexpr bool is_inner() const { return number_ < 0; }
 
  private:
   std::int32_t number_ = 0;  // the shape's; its complement for the inner face

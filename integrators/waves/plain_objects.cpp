@@ -60,7 +60,8 @@ PlainObjects::PlainObjects(const Scene& scene) : trees_(dynamic_cast<const TwoLe
   materials_.reserve(scene.materials.size());
   for (const FrameStates<Material>& material : scene.materials) {
     const Material* const state = only_state(material, scene.frames());
-    materials_.push_back(state == nullptr ? PlainMaterial() : state->plain(*scene.palette).value_or(PlainMaterial()));
+    constexpr PlainDiffuse kUnused{};  // no shape is made of it, or the scene would not be plain
+    materials_.push_back(state == nullptr ? kUnused : state->plain(*scene.palette).value_or(kUnused));
   }
   plain_ = {trees_.query(), shapes_.data(), materials_.data()};
 }

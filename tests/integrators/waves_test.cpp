@@ -35,7 +35,8 @@ class PlainRandomScene {
            fmt::format("Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point3 P\" [{}]\nAttributeEnd\n",
                        wall);
     for (int i = 0; i < 2; ++i) s += light(whole(0, 4));
-    for (int i = 0; i < 3; ++i) s += "AttributeBegin\n" + place() + material(whole(0, 5)) + shape() + "AttributeEnd\n";
+    for (int i = 0; i < 3; ++i)
+      s += "AttributeBegin\n" + place() + "\n" + material(whole(0, 5)) + shape() + "AttributeEnd\n";
     for (int i = 0; i < 2; ++i)
       s += fmt::format("DynamicBegin \"thing{}\" {}\nKeyframe 1 {} Keyframe {} {} KeyframeEnd\n{}DynamicEnd\n", i,
                        material(whole(0, 5)), place(), whole(2, kFrames), place(), shape());
@@ -202,9 +203,9 @@ TEST(Waves, SayWhatHasNoPlainForm) {
   refuses(
       "Texture \"t\" \"spectrum\" \"checkerboard\" Material \"diffuse\" \"texture reflectance\" \"t\" Shape "
       "\"sphere\"\n",
-      "the material of a shape is none of the plain kinds");
+      "\" is none of the plain kinds");
   refuses("Material \"diffuse\" \"rgb reflectance@1\" [0 0 0] \"rgb reflectance@3\" [1 1 1] Shape \"sphere\"\n",
-          "the material of a shape differs between frames");
+          "\" differs between frames");
   refuses("Shape \"sphere\" \"float alpha\" 0.5\n", "has holes");
   refuses("Shape \"curve\" \"point3 P\" [0 0 0 1 0 0 1 1 0 0 1 0]\n", "none of the plain kinds");
   refuses("LightSource \"point\" \"rgb I@1\" [1 1 1] \"rgb I@3\" [2 1 1]\n", "lights differ between frames");
