@@ -79,7 +79,7 @@ class HitPointWriter {
     int shape;
   };
 
-  /// The same for a path that carries what has become of it there.
+  /// Adds a hit point of a path that carries what is left of it there.
   void add_hit_point(std::vector<HitPoint>& hit_points, const CameraPath& ended, const EndSurface& at, const Bsdf* bsdf,
                      LobeSet lobes) {
     HitPoint& hit = hit_points.emplace_back();

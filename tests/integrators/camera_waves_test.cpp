@@ -10,6 +10,7 @@
 #include "dspm/integrators/photons/trace_hit_points.h"
 #include "dspm/integrators/waves/plain_objects.h"
 #include "dspm/integrators/waves/wave_hit_points.h"
+#include "dspm/session/job/choices.h"
 #include "dspm/session/job/job.h"
 #include "dspm/testing/test_scene.h"
 #include "tests/integrators/digits.h"
@@ -29,6 +30,7 @@ const PlainRandomScene::View kViews[] = {
     {.camera = "Keyframe 1 LookAt 0 0.2 -4.2  0 0 0  0 1 0\nKeyframe 4 LookAt 1 0.4 -4  0 0 0  0 1 0\nKeyframeEnd\n"
                "Camera \"perspective\" \"float fov\" 40"},
     {.film = "\"bool transparent\" true", .walls = "\"bool shadowcatcher\" true"},
+    {.lights = 14},
 };
 
 std::string in_words(const Scattering& s) {
@@ -134,6 +136,25 @@ TEST(CameraWaves, LeaveWhatPathsOneByOneLeave) {
   EXPECT_GT(found.caught, 1000u);
   EXPECT_GT(found.rays, 1000u);
   EXPECT_GT(found.parted, 10'000u);
+}
+
+std::vector<Image> images(const std::string& text, const char* device, bool otherwise) {
+  Choices choices;
+  choices.device = device;
+  if (otherwise) choices.colour = "spectral", choices.noise = "perframe";
+  return TestScene(text, choices).render_all(2);
+}
+
+TEST(CameraWaves, LeaveImagesAsTheyAre) {
+  for (const bool otherwise : {false, true})
+    for (unsigned seed = 200; seed < 200 + std::size(kViews); ++seed) {
+      SCOPED_TRACE(fmt::format("{} {}", seed, otherwise));
+      const std::string text = PlainRandomScene(seed).text(
+          R"("dsppm" "integer photons" 1000 "string direct" "photons")", kViews[seed - 200]);
+      const std::vector<Image> cpu = images(text, "cpu", otherwise), waves = images(text, "waves", otherwise);
+      ASSERT_EQ(cpu.size(), waves.size());
+      for (std::size_t f = 0; f < cpu.size(); ++f) EXPECT_EQ(cpu[f].pixels, waves[f].pixels) << f;
+    }
 }
 
 TEST(CameraWaves, SayWhenRaysBringLightToHitPoints) {

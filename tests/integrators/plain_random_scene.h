@@ -18,6 +18,7 @@ class PlainRandomScene {
   struct View {
     std::string camera = "LookAt 0 0.2 -4.2  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" 40";
     std::string film = {}, walls = {};  // further parameters
+    int lights = 2;
   };
 
   std::string text(const std::string& integrator) { return text(integrator, View()); }
@@ -31,7 +32,7 @@ class PlainRandomScene {
       s += "AttributeBegin\n" + material(whole(0, 3) > 0 ? 0 : whole(0, 5)) +
            fmt::format("Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point3 P\" [{}] {}\nAttributeEnd\n",
                        wall, view.walls);
-    for (int i = 0; i < 2; ++i) s += light(whole(0, 4));
+    for (int i = 0; i < view.lights; ++i) s += light(whole(0, 4));
     for (int i = 0; i < 3; ++i)
       s += "AttributeBegin\n" + place() + "\n" + material(whole(0, 5)) + shape() + "AttributeEnd\n";
     for (int i = 0; i < 2; ++i)
