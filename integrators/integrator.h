@@ -32,8 +32,10 @@ struct RenderSettings {
   bool filter_textures = true;       // false: lookups of camera paths do not average over a footprint
   bool noise_per_frame = false;      // camera paths draw other numbers where the camera is in another state
   bool independent_numbers = false;  // of all other paths; else even among them
-  bool in_waves = false;             // photons are traced in waves, or the integrator reports why they are not
-  bool spectral = false;             // each iteration has wavelengths, and a palette of its own
+  // Photons are traced in waves, or the integrator reports why they are not; so are camera paths if photons bring all light
+  // to their hit points.
+  bool in_waves = false;
+  bool spectral = false;  // each iteration has wavelengths, and a palette of its own
   std::uint64_t seed = 0;
   int default_iterations = 256;      // if the integrator's parameters set none
   std::size_t memory = 0;            // bytes that the integrator may hold, or it throws NotEnoughMemory; 0: no bound

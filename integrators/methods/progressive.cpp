@@ -9,7 +9,7 @@
 #include "dspm/integrators/methods/photon_batches.h"
 #include "dspm/integrators/methods/pixel_sinks.h"
 #include "dspm/integrators/photons/typical_hit_point.h"
-#include "dspm/integrators/waves/wave_photons.h"
+#include "dspm/integrators/waves/if_plain.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {
@@ -128,7 +128,9 @@ class Progressive final : public Integrator {
   // [WG12 4.1]
   void trace_camera_paths(const Scene& scene, const HitPointSettings& settings, int iteration) {
     const StepTimer timer(statistics_.steps[kHitPoints]);
-    tiles_ = trace_hit_points(scene, render_, settings, static_cast<std::uint64_t>(iteration), std::move(tiles_));
+    const auto number = static_cast<std::uint64_t>(iteration);
+    tiles_ = render_.in_waves ? trace_hit_points_in_waves_if_plain(scene, render_, settings, number, std::move(tiles_))
+                              : trace_hit_points(scene, render_, settings, number, std::move(tiles_));
     account(tiles_, statistics_);
   }
 

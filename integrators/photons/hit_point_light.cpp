@@ -81,6 +81,29 @@ float HitPointLight::weight_of_scattered(const CameraPath& path, const SceneLigh
   return settings_.direct->weight_of_scattered(light, state, start, {path.from, path.from_ng});
 }
 
+void HitPointLight::meet_infinity(const CameraPath& path, FrameSet frames) {
+  if ((path.indirect && !path.looks) || (render_.transparent && path.bounces == 0)) return;
+  for_each_escape(scene_, frames, path.ray, path.bounces,
+                  [&](FrameSet lit, const Spectrum& radiance, const SceneLight& scene_light, const Light& light) {
+                    const float weight = path.looks ? weight_of_scattered(path, scene_light, light,
+                                                                          {{path.from, -path.ray.direction}, {}, -1})
+                                                    : weight_of_escape(scene_, path, scene_light, light);
+                    out_.see(path, lit, radiance * weight, [&] { return light_element(scene_, scene_light); });
+                  });
+}
+
+void HitPointLight::meet_surface(const CameraPath& path, const Vertex& vertex) {
+  if (path.indirect && !path.looks) return;
+  for_each_emission(scene_, vertex, vertex.frames, [&](FrameSet frames, const Spectrum& radiance, const Light& light) {
+    const SceneLight& scene_light = scene_.lights[static_cast<std::size_t>(vertex.shape.light)];
+    const float weight = path.looks
+                             ? weight_of_scattered(path, scene_light, light,
+                                                   {{vertex.point.p, vertex.wo}, vertex.point.ng, vertex.hit.primitive})
+                             : weight_of_hit(scene_, path, vertex, light);
+    out_.see(path, frames, radiance * weight, [&] { return vertex.emitter_element(); });
+  });
+}
+
 void HitPointLight::add(const CameraPath& path, const Vertex& vertex, std::span<const Surface> surfaces) {
   FrameArray<Lit> all;
   FrameSet frames;

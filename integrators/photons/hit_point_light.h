@@ -1,4 +1,5 @@
-// Direct light that shadow rays bring to the vertices of hit points' camera paths.
+// Light of lights along hit points' camera paths: what they meet on their way, and direct light that shadow rays bring to their
+// vertices.
 #pragma once
 
 #include <span>
@@ -18,8 +19,13 @@ namespace dspm {
 
 class HitPointLight {
  public:
-  HitPointLight(const Scene& scene, const HitPointSettings& settings, HitPointWriter& out)
-      : scene_(scene), settings_(settings), out_(out), of_beams_(scene, out) {}
+  HitPointLight(const Scene& scene, const RenderSettings& render, const HitPointSettings& settings, HitPointWriter& out)
+      : scene_(scene), render_(render), settings_(settings), out_(out), of_beams_(scene, out) {}
+
+  /// Adds light from infinity that the path meets as it leaves the scene in these frames.
+  void meet_infinity(const CameraPath& path, FrameSet frames);
+  /// Adds what the surface emits back along the path.
+  void meet_surface(const CameraPath& path, const Vertex& vertex);
 
   /// Adds direct light that a medium scatters along a section of the path's segment.
   void add(const CameraPath& path, const MediumSection& section) {
@@ -41,12 +47,14 @@ class HitPointLight {
 
   /// Returns whether rays that are scattered at hit points look for lights.
   bool scatters() const;
+
+ private:
   /// Returns the weight of such a ray, of a path that has left a hit point, which meets the light at `start`.
   float weight_of_scattered(const CameraPath& path, const SceneLight& light, const Light& state,
                             const LightStart& start) const;
 
- private:
   const Scene& scene_;
+  const RenderSettings& render_;
   const HitPointSettings& settings_;
   HitPointWriter& out_;
   BeamLight of_beams_;

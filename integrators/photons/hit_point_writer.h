@@ -66,25 +66,38 @@ class HitPointWriter {
     CameraPath ended = path;
     if (!carry(ended, vertex, factors)) return;
     const SurfacePoint& point = vertex.point;
+    add_hit_point(hit_points, ended, {point, unbent_normal(point), vertex.wo, vertex.hit.shape}, bsdf, lobes);
+    if (bsdf == nullptr || !point.turns) return;
+    tile_.scatterings.back().strip = static_cast<int>(tile_.strips.size());
+    tile_.strips.push_back({StripPlace(vertex.shape, vertex.hit, vertex.wo), point.ns});
+  }
+
+  /// A surface where paths end.
+  struct EndSurface {
+    const SurfaceGeometry& point;
+    Vec3 unbent_ns, wo;
+    int shape;
+  };
+
+  /// Adds a hit point of a path that carries what is left of it there.
+  void add_hit_point(std::vector<HitPoint>& hit_points, const CameraPath& ended, const EndSurface& at, const Bsdf* bsdf,
+                     LobeSet lobes) {
     HitPoint& hit = hit_points.emplace_back();
-    hit.p = point.p;
-    hit.ng = dot(vertex.wo, point.ng) < 0 ? -point.ng : point.ng;
-    hit.face = ShapeFace(vertex.hit.shape, point.ng, vertex.wo);
+    hit.p = at.point.p;
+    hit.ng = dot(at.wo, at.point.ng) < 0 ? -at.point.ng : at.point.ng;
+    hit.face = ShapeFace(at.shape, at.point.ng, at.wo);
     hit.throughput = ended.throughput, hit.strands = ended.strands;
-    hit.frames = ended.frames, hit.pixel = path.pixel, hit.indirect = path.indirect, hit.caught = path.caught;
-    hit.wavelength = path.wavelength;
-    hit.radius = radius(path);
+    hit.frames = ended.frames, hit.pixel = ended.pixel, hit.indirect = ended.indirect, hit.caught = ended.caught;
+    hit.wavelength = ended.wavelength;
+    hit.radius = radius(ended);
     if (&hit_points == &tile_.hit_points)
-      tile_.radii_in_pixels += static_cast<double>(hit.radius / path.camera->pixel_spacing(path.length));
+      tile_.radii_in_pixels += static_cast<double>(hit.radius / ended.camera->pixel_spacing(ended.length));
     tile_.paths.weighted += ended.strands != 0;
     if (bsdf == nullptr) return;
     hit.scattering = static_cast<int>(tile_.scatterings.size());
-    tile_.scatterings.push_back({BsdfSlot::copy_of(*bsdf), vertex.wo, point.p_error, lobes,
-                                 bsdf->transmits(bsdf->all_lobes()), vertex.material_element().index, path.inside,
-                                 point.ns, unbent_normal(point)});
-    if (!point.turns) return;
-    tile_.scatterings.back().strip = static_cast<int>(tile_.strips.size());
-    tile_.strips.push_back({StripPlace(vertex.shape, vertex.hit, vertex.wo), point.ns});
+    tile_.scatterings.push_back(
+        {BsdfSlot::copy_of(*bsdf), at.wo, at.point.p_error, lobes, bsdf->transmits(bsdf->all_lobes()),
+         scene_.shapes[static_cast<std::size_t>(at.shape)].material, ended.inside, at.point.ns, at.unbent_ns});
   }
 
   /// Adds the part of the path's segment that the section is, and what the medium there gives off. Photons bring what it

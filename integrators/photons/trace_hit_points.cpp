@@ -1,6 +1,7 @@
 #include "dspm/integrators/photons/trace_hit_points.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 #include "dspm/base/colour/spectrum.h"
@@ -9,12 +10,11 @@
 #include "dspm/integrators/photons/hit_point_light.h"
 #include "dspm/integrators/photons/hit_point_writer.h"
 #include "dspm/integrators/tiles.h"
-#include "dspm/integrators/transport/balance.h"
 #include "dspm/integrators/transport/branching_path.h"
 #include "dspm/integrators/transport/joint_path.h"
 #include "dspm/integrators/transport/lobe_choice.h"
 #include "dspm/integrators/transport/parted_paths.h"
-#include "dspm/integrators/transport/roulette.h"
+#include "dspm/integrators/transport/roulette_chance.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {
@@ -53,10 +53,10 @@ class HitPointTracer {
       : scene_(scene),
         render_(render),
         settings_(settings),
-        has_hidden_(settings.least_alpha < kNothingGathers && std::ranges::any_of(scene.lights, &SceneLight::is_delta)),
+        has_hidden_(may_hide_photons(scene, settings)),
         tile_(out),
         out_(scene, settings, out),
-        light_(scene, settings, out_),
+        light_(scene, render, settings, out_),
         branches_(scene, out.paths) {}
 
   /// Traces the camera path of pixel x, y of the full image. Paths whose frames part wait for finish().
@@ -91,17 +91,7 @@ class HitPointTracer {
     return true;
   }
 
-  void escaped(const CameraPath& path, FrameSet frames) {
-    if ((path.indirect && !path.looks) || (render_.transparent && path.bounces == 0)) return;
-    for_each_escape(scene_, frames, path.ray, path.bounces,
-                    [&](FrameSet lit, const Spectrum& radiance, const SceneLight& scene_light, const Light& light) {
-                      const float weight = path.looks
-                                               ? light_.weight_of_scattered(path, scene_light, light,
-                                                                            {{path.from, -path.ray.direction}, {}, -1})
-                                               : weight_of_escape(scene_, path, scene_light, light);
-                      out_.see(path, lit, radiance * weight, [&] { return light_element(scene_, scene_light); });
-                    });
-  }
+  void escaped(const CameraPath& path, FrameSet frames) { light_.meet_infinity(path, frames); }
 
   void lost(const CameraPath& path, FrameSet frames, const SceneElement& giver) { out_.reject(path, frames, giver); }
 
@@ -116,7 +106,7 @@ class HitPointTracer {
   void arrived(const CameraPath& path, const Vertex& vertex) {
     CameraPath arriving = path;
     arriving.arrive(scene_, vertex);
-    if (!path.indirect || path.looks) see_emission(arriving, vertex);
+    light_.meet_surface(arriving, vertex);
     if ((path.indirect && !settings_.go_on) || path.bounces >= settings_.max_depth) return;
     arriving.travel(vertex.hit.t), arriving.frames = vertex.frames, arriving.looks = false;
     if (vertex.differs()) return scatter_together(arriving, vertex);
@@ -141,18 +131,6 @@ class HitPointTracer {
         });
       }
     });
-  }
-
-  void see_emission(const CameraPath& path, const Vertex& vertex) {
-    for_each_emission(
-        scene_, vertex, vertex.frames, [&](FrameSet frames, const Spectrum& radiance, const Light& light) {
-          const SceneLight& scene_light = scene_.lights[static_cast<std::size_t>(vertex.shape.light)];
-          const float weight = path.looks ? light_.weight_of_scattered(
-                                                path, scene_light, light,
-                                                {{vertex.point.p, vertex.wo}, vertex.point.ng, vertex.hit.primitive})
-                                          : weight_of_hit(scene_, path, vertex, light);
-          out_.see(path, frames, radiance * weight, [&] { return vertex.emitter_element(); });
-        });
   }
 
   /// Scatters at a material that differs between the frames.
@@ -204,8 +182,7 @@ class HitPointTracer {
   void end(const Vertex& vertex, const Bsdf& bsdf, const LobeChoice& choice, Fn&& fn) {
     std::optional<Spectrum> constant;
     const bool is_bent = !(vertex.point.ns == unbent_normal(vertex.point));
-    const bool has_another_side = bsdf.transmits(bsdf.all_lobes());
-    if (!settings_.keep_bsdf && !is_bent && !has_another_side) constant = bsdf.lambertian(choice.lobes);
+    if (!settings_.keep_bsdf && !is_bent) constant = constant_on_one_side(bsdf, choice.lobes);
     if (!constant || !is_black(*constant)) fn(constant);
   }
 
@@ -260,8 +237,7 @@ class HitPointTracer {
                 std::span<const FrameFactor> factors) {
     const float u = path.random.number(path.bounces, kRoulette);
     const auto roulette = [&](const Spectrum& after) {
-      const float p = roulette_chance(after, branch.eta_scale, path.bounces);
-      return p >= 1 ? after : u < p ? after * (1 / p) : Spectrum();
+      return left_by_roulette(after, roulette_chance(after, branch.eta_scale, path.bounces), u);
     };
     const ByRatio by_ratio = path.bounces < kFirstRouletteBounce ? ByRatio::yes : ByRatio::no;
     return out_.carry(branch, vertex, factors, by_ratio, roulette);
@@ -270,7 +246,7 @@ class HitPointTracer {
   const Scene& scene_;
   const RenderSettings& render_;
   const HitPointSettings& settings_;
-  bool has_hidden_;  // hidden photons may exist
+  bool has_hidden_;
   HitPointTile& tile_;
   HitPointWriter out_;
   HitPointLight light_;
@@ -285,20 +261,34 @@ std::size_t hit_point_tile_count(const PixelRect& crop) {
   return static_cast<std::size_t>(tile_count(crop, tile_side(crop)));
 }
 
+bool may_hide_photons(const Scene& scene, const HitPointSettings& settings) {
+  return settings.least_alpha < kNothingGathers && std::ranges::any_of(scene.lights, &SceneLight::is_delta);
+}
+
 std::vector<HitPointTile> trace_hit_points(const Scene& scene, const RenderSettings& render,
                                            const HitPointSettings& settings, std::uint64_t iteration,
                                            std::vector<HitPointTile> reuse, int stride) {
+  return trace_tiles(scene, render, settings, std::move(reuse), stride, [&](HitPointTile& tile, const auto& pixels) {
+    HitPointTracer tracer(scene, render, settings, tile);
+    for (const auto& [x, y] : pixels) tracer.trace(x, y, iteration);
+    tracer.finish();
+  });
+}
+
+std::vector<HitPointTile> trace_tiles(const Scene& scene, const RenderSettings& render,
+                                      const HitPointSettings& settings, std::vector<HitPointTile> reuse, int stride,
+                                      const TraceTile& trace) {
   const int side = stride > 1 ? kPilotsAcross * stride : tile_side(render.crop);
   reuse.resize(static_cast<std::size_t>(tile_count(render.crop, side)));
   parallel_for(static_cast<std::int64_t>(reuse.size()), 1, [&](std::int64_t t) {
     HitPointTile& tile = reuse[static_cast<std::size_t>(t)];
     tile.clear();
     tile.palette = scene.palette.get();
-    HitPointTracer tracer(scene, render, settings, tile);
+    std::vector<std::array<int, 2>> pixels;
     for_each_pixel_of_tile(render.crop, side, static_cast<int>(t), [&](int x, int y) {
-      if (x % stride == 0 && y % stride == 0 && settings.pixels.contain(x, y)) tracer.trace(x, y, iteration);
+      if (x % stride == 0 && y % stride == 0 && settings.pixels.contain(x, y)) pixels.push_back({x, y});
     });
-    tracer.finish();
+    trace(tile, pixels);
   });
   return reuse;
 }

@@ -1,7 +1,10 @@
 // Traces camera paths to their hit points, for all frames at once; paths split where frames part. [WG12 4.1]
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "dspm/base/math/frames.h"
@@ -39,5 +42,16 @@ std::size_t hit_point_tile_count(const PixelRect& crop);
 std::vector<HitPointTile> trace_hit_points(const Scene& scene, const RenderSettings& render,
                                            const HitPointSettings& settings, std::uint64_t iteration,
                                            std::vector<HitPointTile> reuse, int stride = 1);
+
+/// Traces the camera paths of pixels of the full image, given as x and y, into an empty tile.
+using TraceTile = std::function<void(HitPointTile&, std::span<const std::array<int, 2>>)>;
+
+/// Does what trace_hit_points() does, each tile by `trace`.
+std::vector<HitPointTile> trace_tiles(const Scene& scene, const RenderSettings& render,
+                                      const HitPointSettings& settings, std::vector<HitPointTile> reuse, int stride,
+                                      const TraceTile& trace);
+
+/// Returns whether hidden photons may exist, for which glossy lobes look that extend paths.
+bool may_hide_photons(const Scene& scene, const HitPointSettings& settings);
 
 }  // namespace dspm

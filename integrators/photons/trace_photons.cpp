@@ -10,6 +10,7 @@
 #include "dspm/integrators/transport/joint_path.h"
 #include "dspm/integrators/transport/light_value.h"
 #include "dspm/integrators/transport/lobe_choice.h"
+#include "dspm/integrators/transport/roulette_chance.h"
 
 namespace dspm {
 namespace {
@@ -151,8 +152,9 @@ class PhotonTracer {
     if (is_too_deep(path, frames)) return;
     // Choose between smooth and rough lobes first, so that a photon knows which of them scattered it.
     const LobeChoice choice = choose_lobes(bsdf, path, vertex, settings_.least_alpha);
-    const bool wanted = kind_after(path.kind, choice.rough) == kDiffusePhotons ? (settings_.kinds & kDiffusePhotons) != 0
-                                                                          : path.caustics && vertex.shape.caustics;
+    const bool wanted = kind_after(path.kind, choice.rough) == kDiffusePhotons
+                            ? (settings_.kinds & kDiffusePhotons) != 0
+                            : path.caustics && vertex.shape.caustics;
     if (!wanted) return balance(path, frames, &EnergyBalance::terminated);
     const auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::flux, choice.lobes);
     const bool valid = !sample || is_finite(sample->wi);
@@ -179,7 +181,7 @@ class PhotonTracer {
       const bool valid = is_light(after);
       if (!valid) reject(frames, giver);
       const float p = valid ? std::min(1.f, max_component(after) / max_component(before)) : 0;
-      const Spectrum surviving = p >= 1 ? after : u < p ? after * (1 / p) : Spectrum();
+      const Spectrum surviving = left_by_roulette(after, p, u);
       EnergyBalance change;
       if (valid)
         change.absorbed = sum(before) - sum(after), change.roulette = sum(after) - sum(surviving);

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/bsdf.h"
@@ -47,6 +49,12 @@ constexpr LobeSet gathering_lobes(const AnyBsdf& bsdf, const Point& point, float
   const float beside = least_alpha_beside(rough, bsdf, point);
   const LobeSet joined = beside < least_alpha ? bsdf.lobes(at_least(beside)) : rough;
   return bsdf.transmits(joined) ? rough : joined;
+}
+
+/// Returns f of the lobes if it is constant and only one side gets light.
+template <class AnyBsdf>
+constexpr std::optional<Spectrum> constant_on_one_side(const AnyBsdf& bsdf, LobeSet lobes) {
+  return bsdf.transmits(bsdf.lobes(0)) ? std::nullopt : bsdf.lambertian(lobes);
 }
 
 /// The lobes that extend the path although they are not specular.

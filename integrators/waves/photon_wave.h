@@ -15,6 +15,7 @@
 #include "dspm/integrators/photons/photon_kinds.h"
 #include "dspm/integrators/transport/gathering_lobes.h"
 #include "dspm/integrators/transport/light_value.h"
+#include "dspm/integrators/transport/roulette_chance.h"
 #include "dspm/integrators/transport/shading_correction.h"
 #include "dspm/integrators/transport/shape_face.h"
 #include "dspm/integrators/waves/plain_scene.h"
@@ -124,7 +125,7 @@ class PhotonAtSurface {
     }
     const float p = std::min(1.f, largest(after) / largest(before));
     const float u = path_.random.number(path_.bounces, kRoulette);
-    const Spectrum surviving = p >= 1 ? after : u < p ? after * (1 / p) : Spectrum();
+    const Spectrum surviving = left_by_roulette(after, p, u);
     out_.scatter(part_.frames, before, after, surviving);
     return surviving;
   }

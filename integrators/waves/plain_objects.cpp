@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "dspm/accel/two_level.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/shapes/triangle_mesh.h"
@@ -22,7 +20,8 @@ const Material* only_state(const FrameStates<Material>& material, FrameSet all) 
                                                                                 : nullptr;
 }
 
-PlainPlacedShape plain(const PlacedShape& placed) {
+PlainPlacedShape plain(const Scene& scene, std::size_t index) {
+  const PlacedShape& placed = scene.shapes[index];
   PlainPlacedShape shape;
   if (const TriangleMesh* mesh = placed.shape->triangles())
     shape.mesh = mesh->view();
@@ -30,6 +29,7 @@ PlainPlacedShape plain(const PlacedShape& placed) {
     shape.shape = *placed.shape->plain();
   shape.to_world = placed.to_world, shape.in_object_space = placed.in_object_space();
   shape.flips_normals = placed.flip_normals, shape.caustics = placed.caustics, shape.material = placed.material;
+  shape.emits = placed.light >= 0, shape.catches_shadows = scene.is_catcher(static_cast<int>(index));
   return shape;
 }
 
@@ -56,7 +56,8 @@ std::string why_not_plain(const Scene& scene) {
 }
 
 PlainObjects::PlainObjects(const Scene& scene) : trees_(dynamic_cast<const TwoLevel&>(*scene.accel)) {
-  std::ranges::transform(scene.shapes, std::back_inserter(shapes_), plain);
+  shapes_.reserve(scene.shapes.size());
+  for (std::size_t shape = 0; shape < scene.shapes.size(); ++shape) shapes_.push_back(plain(scene, shape));
   materials_.reserve(scene.materials.size());
   for (const FrameStates<Material>& material : scene.materials) {
     const Material* const state = only_state(material, scene.frames());

@@ -12,7 +12,7 @@
 
 namespace dspm {
 
-/// Returns what keeps photons of the scene from being traced in waves, in words that follow "because"; empty if nothing
+/// Returns what keeps paths in the scene from being traced in waves, in words that follow "because"; empty if nothing
 /// does.
 std::string why_not_plain(const Scene& scene);
 

@@ -23,6 +23,7 @@ struct PlainPlacedShape {
   Transform to_world;
   bool in_object_space = false, flips_normals = false;
   bool caustics = true;  // see PlacedShape
+  bool emits = false, catches_shadows = false;
   int material = 0;
 
   /// Returns what PlacedShape::surface_point() returns.

@@ -1,7 +1,6 @@
 #include "dspm/integrators/waves/wave_photons.h"
 
 #include <algorithm>
-#include <random>
 #include <tuple>
 
 #include "dspm/base/math/frames.h"
@@ -10,6 +9,7 @@
 #include "dspm/integrators/photons/photon_energy.h"
 #include "dspm/integrators/photons/start_photons.h"
 #include "dspm/integrators/transport/direct_light.h"
+#include "dspm/integrators/waves/follow_waves.h"
 #include "dspm/integrators/waves/photon_wave.h"
 #include "dspm/integrators/waves/plain_objects.h"
 
@@ -39,13 +39,7 @@ class WavesOfTrace {
   }
 
   void trace(const PlainScene& plain, std::uint64_t shuffle) {
-    std::mt19937_64 random(shuffle);
-    for (std::vector<PhotonState> wave; !next_.empty();) {
-      std::swap(wave, next_);
-      next_.clear();
-      if (shuffle != 0) std::ranges::shuffle(wave, random);
-      for (const PhotonState& path : wave) step(plain, plain.query, wave_, path, *this);
-    }
+    follow_waves(next_, shuffle, [&](const PhotonState& path) { step(plain, plain.query, wave_, path, *this); });
     std::ranges::sort(photons_, {}, [&](const WavePhoton& p) {
       return std::tuple(started_[p.start].path, p.bounces, p.frames.lowest());
     });
@@ -161,15 +155,6 @@ std::vector<PhotonTrace> trace_photons_in_waves(const Scene& scene, const PlainS
     waves.trace(plain, shuffle);
   });
   return reuse;
-}
-
-std::vector<PhotonTrace> trace_photons_in_waves_if_plain(const Scene& scene, const PhotonSettings& settings,
-                                                         std::uint64_t iteration, std::int64_t first, std::int64_t end,
-                                                         std::vector<PhotonTrace> reuse) {
-  if (!why_not_in_waves(scene, settings).empty())
-    return trace_photons(scene, settings, iteration, first, end, std::move(reuse));
-  const PlainObjects plain(scene);
-  return trace_photons_in_waves(scene, plain.scene(), settings, iteration, first, end, std::move(reuse));
 }
 
 }  // namespace dspm

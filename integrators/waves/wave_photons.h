@@ -24,9 +24,4 @@ std::vector<PhotonTrace> trace_photons_in_waves(const Scene& scene, const PlainS
                                                 std::int64_t first, std::int64_t end, std::vector<PhotonTrace> reuse,
                                                 std::uint64_t shuffle = 0);
 
-/// Does what trace_photons() does, in waves if it can.
-std::vector<PhotonTrace> trace_photons_in_waves_if_plain(const Scene& scene, const PhotonSettings& settings,
-                                                         std::uint64_t iteration, std::int64_t first, std::int64_t end,
-                                                         std::vector<PhotonTrace> reuse);
-
 }  // namespace dspm

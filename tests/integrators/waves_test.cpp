@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <bit>
-#include <random>
-
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/moments.h"
 #include "dspm/base/math/vec.h"
@@ -14,99 +11,18 @@
 #include "dspm/integrators/waves/wave_photons.h"
 #include "dspm/session/job/choices.h"
 #include "dspm/testing/test_scene.h"
+#include "tests/integrators/digits.h"
+#include "tests/integrators/plain_random_scene.h"
 
 namespace dspm::test {
 namespace waves_test {
 
-constexpr int kFrames = 6;
-
-class PlainRandomScene {
- public:
-  explicit PlainRandomScene(unsigned seed) : random_(seed) {}
-
-  std::string text(const std::string& integrator) {
-    std::string s = fmt::format(
-        "Frames {}\nIntegrator {}\nLookAt 0 0.2 -4.2  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" 40\n"
-        "Film \"rgb\" \"integer xresolution\" 24 \"integer yresolution\" 20\nWorldBegin\n",
-        kFrames, integrator);
-    for (const char* wall : {"-2 -1.2 -2  -2 -1.2 2  2 -1.2 2  2 -1.2 -2", "-2 -1.2 2  -2 2 2  2 2 2  2 -1.2 2",
-                             "-2 -1.2 -2  -2 2 -2  -2 2 2  -2 -1.2 2"})
-      s += "AttributeBegin\n" + material(whole(0, 3) > 0 ? 0 : whole(0, 5)) +
-           fmt::format("Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point3 P\" [{}]\nAttributeEnd\n",
-                       wall);
-    for (int i = 0; i < 2; ++i) s += light(whole(0, 4));
-    for (int i = 0; i < 3; ++i)
-      s += "AttributeBegin\n" + place() + "\n" + material(whole(0, 5)) + shape() + "AttributeEnd\n";
-    for (int i = 0; i < 2; ++i)
-      s += fmt::format("DynamicBegin \"thing{}\" {}\nKeyframe 1 {} Keyframe {} {} KeyframeEnd\n{}DynamicEnd\n", i,
-                       material(whole(0, 5)), place(), whole(2, kFrames), place(), shape());
-    return s;
-  }
-
- private:
-  float real(float low, float high) { return std::uniform_real_distribution<float>(low, high)(random_); }
-  int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
-
-  std::string place() {
-    return fmt::format("Translate {} {} {} Rotate {} {} 1 {} Scale {} {} {}", real(-1, 1), real(-1, 1), real(-1, 1),
-                       real(0, 360), real(-1, 1), real(-1, 1), real(0.5f, 1), real(0.5f, 1),
-                       whole(0, 4) == 0 ? -1.f : real(0.5f, 1));
-  }
-  std::string material(int kind) {
-    switch (kind) {
-      case 0:
-        return fmt::format("Material \"diffuse\" \"rgb reflectance\" [{} {} {}]\n", real(0, 1), real(0, 1), real(0, 1));
-      case 1: return fmt::format("Material \"dielectric\" \"float eta\" {}\n", real(1.1f, 1.8f));
-      case 2:
-        return fmt::format(
-            "Material \"dielectric\" \"float eta\" 1.5 \"float uroughness\" {} \"float vroughness\" {}\n",
-            real(0.01f, 0.5f), real(0.01f, 0.5f));
-      case 3:
-        return fmt::format("Material \"conductor\" \"float roughness\" {}\n",
-                           whole(0, 1) == 0 ? 0.f : real(0.01f, 0.4f));
-      case 4: return "Material \"conductor\" \"rgb reflectance\" [.9 .7 .4] \"float uroughness\" .3\n";
-      default: return "Material \"thindielectric\" \"rgb tint\" [.9 .6 .8]\n";
-    }
-  }
-  std::string shape() {
-    switch (whole(0, 5)) {
-      case 0: return "Shape \"sphere\" \"float radius\" .5 \"float zmax\" .4\n";
-      case 1: return "Shape \"sphere\" \"float radius\" .5\n";
-      case 2: return "Shape \"disk\" \"float radius\" .6 \"float innerradius\" .1\n";
-      case 3: return "Shape \"cylinder\" \"float radius\" .4 \"float phimax\" 250\n";
-      case 4:
-        return "ReverseOrientation Shape \"loopsubdiv\" \"integer levels\" 2 \"integer indices\" [0 1 2 0 2 3 0 3 1 1 "
-               "3 2] "
-               "\"point3 P\" [0 .7 0  -.6 -.4 -.4  .6 -.4 -.4  0 -.4 .6]\n";
-      default:
-        return "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point2 uv\" [0 0 1 0 1 1 0 1] "
-               "\"normal3 N\" [0 .3 1  .2 0 1  0 -.2 1  -.1 0 1] \"point3 P\" [-.5 -.5 0  .5 -.5 0  .5 .5 .1  -.5 .5 "
-               "0]\n";
-    }
-  }
-  std::string light(int kind) {
-    switch (kind) {
-      case 0:
-        return "AttributeBegin Translate 0 1.6 0 Rotate 90 1 0 0 AreaLightSource \"diffuse\" \"rgb L\" [9 8 7] \"bool "
-               "twosided\" true Shape \"disk\" \"float radius\" .5 AttributeEnd\n";
-      case 1: return "LightSource \"point\" \"rgb I\" [6 5 4] \"point3 from\" [.4 1.2 -1]\n";
-      case 2: return "LightSource \"spot\" \"rgb I\" [20 20 20] \"point3 from\" [.5 1.4 -1] \"point3 to\" [0 -1 0]\n";
-      case 3: return "LightSource \"distant\" \"rgb L\" [2 2 2] \"point3 from\" [1 2 -1] \"point3 to\" [0 0 0]\n";
-      default: return "LightSource \"infinite\" \"rgb L\" [.3 .4 .5]\n";
-    }
-  }
-
-  std::mt19937 random_;
-};
-
-std::string digits(float x) { return fmt::format("{:08x}", std::bit_cast<std::uint32_t>(x)); }
+constexpr int kFrames = PlainRandomScene::kFrames;
 
 /// All of a photon but its frames.
 std::string in_words(const Photon& photon) {
-  std::string text = fmt::format("{} {} {}", photon.face.shape(), photon.face.is_inner(), photon.light);
-  for (int i = 0; i < 3; ++i)
-    text += " " + digits(photon.p[i]) + " " + digits(photon.wi[i]) + " " + digits(photon.flux[i]);
-  return text;
+  return fmt::format("{} {} {} {} {} {}", photon.face.shape(), photon.face.is_inner(), photon.light, digits(photon.p),
+                     digits(photon.wi), digits(photon.flux));
 }
 
 /// What a frame has of a list of photons, in their order.
@@ -175,7 +91,10 @@ std::vector<Image> images(const std::string& text, const char* device) {
 TEST(Waves, LeaveImagesAsTheyAre) {
   for (const char* integrator :
        {R"("dsppm" "integer photons" 3000)", R"("dsppm" "integer photons" 3000 "string estimator" "hj09")",
-        R"("dsppm" "integer photons" 3000 "string direct" "photons")", R"("sppm" "integer photons" 3000)"})
+        R"("sppm" "integer photons" 3000)", R"("dsppm" "integer photons" 3000 "string direct" "photons")",
+        R"("dsppm" "integer photons" 3000 "string direct" "photons" "string estimator" "hj09")",
+        R"("sppm" "integer photons" 3000 "string direct" "photons")",
+        R"("sppm" "integer photons" 3000 "string direct" "photons" "string estimator" "hj09")"})
     for (unsigned seed = 100; seed < 106; ++seed) {
       SCOPED_TRACE(fmt::format("{} {}", seed, integrator));
       const std::string text = PlainRandomScene(seed).text(integrator);

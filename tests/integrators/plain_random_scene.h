@@ -1,0 +1,100 @@
+// Random small scenes of all that has a plain form, still and moving, for tests of waves.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <random>
+#include <string>
+
+namespace dspm::test {
+
+class PlainRandomScene {
+ public:
+  static constexpr int kFrames = 6;
+
+  explicit PlainRandomScene(unsigned seed) : random_(seed) {}
+
+  /// What a scene may have beside what is drawn.
+  struct View {
+    std::string camera = "LookAt 0 0.2 -4.2  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" 40";
+    std::string film = {}, walls = {};  // further parameters
+    int lights = 2;
+  };
+
+  std::string text(const std::string& integrator) { return text(integrator, View()); }
+  std::string text(const std::string& integrator, const View& view) {
+    std::string s = fmt::format(
+        "Frames {}\nIntegrator {}\n{}\nFilm \"rgb\" \"integer xresolution\" 24 \"integer yresolution\" 20 {}\n"
+        "WorldBegin\n",
+        kFrames, integrator, view.camera, view.film);
+    for (const char* wall : {"-2 -1.2 -2  -2 -1.2 2  2 -1.2 2  2 -1.2 -2", "-2 -1.2 2  -2 2 2  2 2 2  2 -1.2 2",
+                             "-2 -1.2 -2  -2 2 -2  -2 2 2  -2 -1.2 2"})
+      s += "AttributeBegin\n" + material(whole(0, 3) > 0 ? 0 : whole(0, 5)) +
+           fmt::format("Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point3 P\" [{}] {}\nAttributeEnd\n",
+                       wall, view.walls);
+    for (int i = 0; i < view.lights; ++i) s += light(whole(0, 4));
+    for (int i = 0; i < 3; ++i)
+      s += "AttributeBegin\n" + place() + "\n" + material(whole(0, 5)) + shape() + "AttributeEnd\n";
+    for (int i = 0; i < 2; ++i)
+      s += fmt::format("DynamicBegin \"thing{}\" {}\nKeyframe 1 {} Keyframe {} {} KeyframeEnd\n{}DynamicEnd\n", i,
+                       material(whole(0, 5)), place(), whole(2, kFrames), place(), shape());
+    return s;
+  }
+
+ private:
+  float real(float low, float high) { return std::uniform_real_distribution<float>(low, high)(random_); }
+  int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
+
+  std::string place() {
+    return fmt::format("Translate {} {} {} Rotate {} {} 1 {} Scale {} {} {}", real(-1, 1), real(-1, 1), real(-1, 1),
+                       real(0, 360), real(-1, 1), real(-1, 1), real(0.5f, 1), real(0.5f, 1),
+                       whole(0, 4) == 0 ? -1.f : real(0.5f, 1));
+  }
+  std::string material(int kind) {
+    switch (kind) {
+      case 0:
+        return fmt::format("Material \"diffuse\" \"rgb reflectance\" [{} {} {}]\n", real(0, 1), real(0, 1), real(0, 1));
+      case 1: return fmt::format("Material \"dielectric\" \"float eta\" {}\n", real(1.1f, 1.8f));
+      case 2:
+        return fmt::format(
+            "Material \"dielectric\" \"float eta\" 1.5 \"float uroughness\" {} \"float vroughness\" {}\n",
+            real(0.01f, 0.5f), real(0.01f, 0.5f));
+      case 3:
+        return fmt::format("Material \"conductor\" \"float roughness\" {}\n",
+                           whole(0, 1) == 0 ? 0.f : real(0.01f, 0.4f));
+      case 4: return "Material \"conductor\" \"rgb reflectance\" [.9 .7 .4] \"float uroughness\" .3\n";
+      default: return "Material \"thindielectric\" \"rgb tint\" [.9 .6 .8]\n";
+    }
+  }
+  std::string shape() {
+    switch (whole(0, 5)) {
+      case 0: return "Shape \"sphere\" \"float radius\" .5 \"float zmax\" .4\n";
+      case 1: return "Shape \"sphere\" \"float radius\" .5\n";
+      case 2: return "Shape \"disk\" \"float radius\" .6 \"float innerradius\" .1\n";
+      case 3: return "Shape \"cylinder\" \"float radius\" .4 \"float phimax\" 250\n";
+      case 4:
+        return "ReverseOrientation Shape \"loopsubdiv\" \"integer levels\" 2 \"integer indices\" [0 1 2 0 2 3 0 3 1 1 "
+               "3 2] "
+               "\"point3 P\" [0 .7 0  -.6 -.4 -.4  .6 -.4 -.4  0 -.4 .6]\n";
+      default:
+        return "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point2 uv\" [0 0 1 0 1 1 0 1] "
+               "\"normal3 N\" [0 .3 1  .2 0 1  0 -.2 1  -.1 0 1] \"point3 P\" [-.5 -.5 0  .5 -.5 0  .5 .5 .1  -.5 .5 "
+               "0]\n";
+    }
+  }
+  std::string light(int kind) {
+    switch (kind) {
+      case 0:
+        return "AttributeBegin Translate 0 1.6 0 Rotate 90 1 0 0 AreaLightSource \"diffuse\" \"rgb L\" [9 8 7] \"bool "
+               "twosided\" true Shape \"disk\" \"float radius\" .5 AttributeEnd\n";
+      case 1: return "LightSource \"point\" \"rgb I\" [6 5 4] \"point3 from\" [.4 1.2 -1]\n";
+      case 2: return "LightSource \"spot\" \"rgb I\" [20 20 20] \"point3 from\" [.5 1.4 -1] \"point3 to\" [0 -1 0]\n";
+      case 3: return "LightSource \"distant\" \"rgb L\" [2 2 2] \"point3 from\" [1 2 -1] \"point3 to\" [0 0 0]\n";
+      default: return "LightSource \"infinite\" \"rgb L\" [.3 .4 .5]\n";
+    }
+  }
+
+  std::mt19937 random_;
+};
+
+}  // namespace dspm::test
