@@ -41,7 +41,7 @@ set(toolkit_headers
   base/colour/spectrum_lanes.h
   base/grid/buffer.h base/grid/point_grid.h base/grid/points_within.h
   base/math/frame_lanes.h
-  cameras/blades.h cameras/camera_space.h cameras/orthographic_rays.h cameras/projection.h cameras/screen.h
+  cameras/blades.h cameras/camera_space.h cameras/orthographic_rays.h cameras/perspective_rays.h cameras/projection.h cameras/screen.h
   cameras/thin_lens.h
   integrators/guiding/emission_of_file.h integrators/guiding/file_sample.h integrators/guiding/learn_direct.h
   integrators/guiding/learn_emission.h integrators/guiding/pilot_paths.h

@@ -26,6 +26,6 @@ copy_headers
 before=$(digest)
 changed lights/light.h 's|  virtual Rgb power() const = 0;|&\n  virtual int more() const = 0;|' ||
   { echo "an added function is not seen" >&2; exit 1; }
-changed lights/light.h '/^  float distance;/{h;d};/^  Vec3 wi; /{p;G}' || { echo "swapped fields are not seen" >&2; exit 1; }
+changed lights/emission.h '/^  float distance;/{h;d};/^  Vec3 wi; /{p;G}' || { echo "swapped fields are not seen" >&2; exit 1; }
 changed lights/light.h 's|^// .*|& Another word.|' && { echo "a comment counts" >&2; exit 1; }
 exit 0

@@ -93,7 +93,7 @@ struct Unfit {
 
 TEST(Modules, UnfitOnesAreToldAndNothingRuns) {
   const std::vector<Unfit> all = {
-      {"other_version", {"libother_version.so: it was built for dspm 7.2.0, and this is dspm 0.3.0", "rebuild it"}},
+      {"other_version", {"libother_version.so: it was built for dspm 7.3.0, and this is dspm 0.3.0", "rebuild it"}},
       {"other_layout", {"dspm::SurfacePoint takes", "rebuild it"}},
       {"usurper", {"dspm itself already has the material \"diffuse\""}},
       {"idle", {"it adds no plugin"}},
