@@ -74,4 +74,5 @@ set(toolkit_headers
   media/henyey_greenstein.h
   shapes/beyond_hole.h shapes/curvature.h shapes/cylinder.h shapes/disk.h shapes/plain_shape.h 
   shapes/quadric.h shapes/quadric_shape.h  shapes/sphere.h shapes/triangle.h
-  textures/mapping.h)
+  textures/mapping.h textures/noise.h textures/plain_albedo.h textures/plain_image.h textures/plain_mapping.h
+  textures/plain_texture.h)

@@ -15,6 +15,7 @@
 #include "dspm/materials/parameters.h"
 #include "dspm/materials/plain_bsdf.h"
 #include "dspm/materials/plain_material.h"
+#include "dspm/textures/albedo.h"
 
 namespace dspm {
 namespace {
@@ -22,21 +23,19 @@ namespace {
 class DiffuseMaterial final : public Material {
  public:
   explicit DiffuseMaterial(TexturePtr<Rgb> reflectance)
-      : reflectance_(std::move(reflectance)), is_linear_(reflectance_->averages()) {}
+      : reflectance_(std::move(reflectance)), is_linear_(reflectance_.averages()) {}
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
-    return look(point).with_bsdf(point, IntoSlot{slot});
+    return PlainDiffuse{{reflectance_.at(texture_point(point))}}.with_bsdf(point, IntoSlot{slot});
   }
   bool is_linear() const override { return is_linear_; }
 
  private:
-  PlainDiffuse look(const SurfacePoint& point) const {
-    return {clamped_albedo(reflectance_->carried(texture_point(point))) / kPi};
-  }
   std::optional<PlainMaterial> plain_look(const Palette& palette) const override {
-    return reflectance_->is_uniform() ? std::optional<PlainMaterial>(look(anywhere(palette))) : std::nullopt;
+    const auto reflectance = reflectance_.plain(palette);
+    return reflectance ? std::optional<PlainMaterial>(PlainDiffuse{*reflectance}) : std::nullopt;
   }
 
-  TexturePtr<Rgb> reflectance_;
+  Albedo reflectance_;
   bool is_linear_;
 };
 

@@ -10,6 +10,7 @@
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/plain_bsdf.h"
 #include "dspm/shapes/surface_geometry.h"
+#include "dspm/textures/plain_albedo.h"
 
 namespace dspm {
 
@@ -50,11 +51,11 @@ class Diffuse final : public PlainBsdf {
 };
 
 struct PlainDiffuse {
-  Spectrum f;
+  PlainAlbedo reflectance;
 
   template <class Fn>
   constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const Fn& fn) const {
-    return fn(Diffuse(point.ng, point.ns, f));
+    return fn(Diffuse(point.ng, point.ns, reflectance.at({point.p, point.uv}) / kPi));
   }
 };
 

@@ -27,11 +27,6 @@ inline SurfacePoint anywhere(const Palette& palette) {
   return point;
 }
 
-/// Clamps to what a surface can reflect, because a texture may exceed it.
-inline Spectrum clamped_albedo(const Spectrum& c) {
-  return map(c, [](float share) { return std::clamp(share, 0.f, 1.f); });
-}
-
 /// Reads "roughness", "uroughness", "vroughness" and "remaproughness" as GGX alpha along the tangent and across it.
 class Roughness {
  public:

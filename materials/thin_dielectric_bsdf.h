@@ -14,6 +14,7 @@
 #include "dspm/materials/plain_bsdf.h"
 #include "dspm/materials/shading_frame.h"
 #include "dspm/shapes/surface_geometry.h"
+#include "dspm/textures/plain_albedo.h"
 
 namespace dspm {
 
@@ -75,11 +76,11 @@ class ThinDielectric final : public PlainBsdf {
 
 struct PlainThinDielectric {
   float eta;
-  Spectrum tint;
+  PlainAlbedo tint;
 
   template <class Fn>
   constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const Fn& fn) const {
-    return fn(ThinDielectric(ShadingFrame(point), eta, tint));
+    return fn(ThinDielectric(ShadingFrame(point), eta, tint.at({point.p, point.uv})));
   }
 };
 

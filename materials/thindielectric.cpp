@@ -17,6 +17,7 @@
 #include "dspm/materials/plain_bsdf.h"
 #include "dspm/materials/plain_material.h"
 #include "dspm/materials/thin_dielectric_bsdf.h"
+#include "dspm/textures/albedo.h"
 
 namespace dspm {
 namespace {
@@ -25,19 +26,17 @@ class ThinDielectricMaterial final : public Material {
  public:
   ThinDielectricMaterial(float eta, TexturePtr<Rgb> tint) : eta_(eta), tint_(std::move(tint)) {}
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
-    return look(point).with_bsdf(point, IntoSlot{slot});
+    return PlainThinDielectric{eta_, {tint_.at(texture_point(point))}}.with_bsdf(point, IntoSlot{slot});
   }
 
  private:
-  PlainThinDielectric look(const SurfacePoint& point) const {
-    return {eta_, clamped_albedo(tint_->carried(texture_point(point)))};
-  }
   std::optional<PlainMaterial> plain_look(const Palette& palette) const override {
-    return tint_->is_uniform() ? std::optional<PlainMaterial>(look(anywhere(palette))) : std::nullopt;
+    const auto tint = tint_.plain(palette);
+    return tint ? std::optional<PlainMaterial>(PlainThinDielectric{eta_, *tint}) : std::nullopt;
   }
 
   float eta_;
-  TexturePtr<Rgb> tint_;
+  Albedo tint_;
 };
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "dspm/integrators/waves/wave_photons.h"
 #include "dspm/session/job/choices.h"
 #include "dspm/testing/test_scene.h"
+#include "tests/integrators/scene_files.h"
 
 namespace dspm::test {
 namespace waves_test {
@@ -29,17 +30,21 @@ class PlainRandomScene {
         "Frames {}\nIntegrator {}\nLookAt 0 0.2 -4.2  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" 40\n"
         "Film \"rgb\" \"integer xresolution\" 24 \"integer yresolution\" 20\nWorldBegin\n",
         kFrames, integrator);
+    s += "Texture \"tiles\" \"spectrum\" \"checkerboard\" \"float uscale\" 5 \"float vscale\" 4 \"rgb tex1\" [.9 .2 "
+         ".4]\n"
+         "Texture \"picture\" \"spectrum\" \"imagemap\" \"float uscale\" 2 \"string filename\" " +
+         files()["picture.png"] + "\n";
     for (const char* wall : {"-2 -1.2 -2  -2 -1.2 2  2 -1.2 2  2 -1.2 -2", "-2 -1.2 2  -2 2 2  2 2 2  2 -1.2 2",
                              "-2 -1.2 -2  -2 2 -2  -2 2 2  -2 -1.2 2"})
-      s += "AttributeBegin\n" + material(whole(0, 3) > 0 ? 0 : whole(0, 5)) +
+      s += "AttributeBegin\n" + material(whole(0, 3) > 1 ? 0 : whole(0, 7)) +
            fmt::format("Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point3 P\" [{}]\nAttributeEnd\n",
                        wall);
     for (int i = 0; i < 2; ++i) s += light(whole(0, 4));
     for (int i = 0; i < 3; ++i)
-      s += "AttributeBegin\n" + place() + "\n" + material(whole(0, 5)) + shape() + "AttributeEnd\n";
+      s += "AttributeBegin\n" + place() + "\n" + material(whole(0, 7)) + shape() + "AttributeEnd\n";
     for (int i = 0; i < 2; ++i)
       s += fmt::format("DynamicBegin \"thing{}\" {}\nKeyframe 1 {} Keyframe {} {} KeyframeEnd\n{}DynamicEnd\n", i,
-                       material(whole(0, 5)), place(), whole(2, kFrames), place(), shape());
+                       material(whole(0, 7)), place(), whole(2, kFrames), place(), shape());
     return s;
   }
 
@@ -65,7 +70,9 @@ class PlainRandomScene {
         return fmt::format("Material \"conductor\" \"float roughness\" {}\n",
                            whole(0, 1) == 0 ? 0.f : real(0.01f, 0.4f));
       case 4: return "Material \"conductor\" \"rgb reflectance\" [.9 .7 .4] \"float uroughness\" .3\n";
-      default: return "Material \"thindielectric\" \"rgb tint\" [.9 .6 .8]\n";
+      case 5: return "Material \"thindielectric\" \"rgb tint\" [.9 .6 .8]\n";
+      case 6: return "Material \"diffuse\" \"texture reflectance\" \"picture\"\n";
+      default: return "Material \"diffuse\" \"texture reflectance\" \"tiles\"\n";
     }
   }
   std::string shape() {
@@ -94,6 +101,11 @@ class PlainRandomScene {
       case 3: return "LightSource \"distant\" \"rgb L\" [2 2 2] \"point3 from\" [1 2 -1] \"point3 to\" [0 0 0]\n";
       default: return "LightSource \"infinite\" \"rgb L\" [.3 .4 .5]\n";
     }
+  }
+
+  static const SceneFiles& files() {
+    static const SceneFiles all;
+    return all;
   }
 
   std::mt19937 random_;
@@ -201,7 +213,7 @@ TEST(Waves, SayWhatHasNoPlainForm) {
     EXPECT_NE(said.find(why), std::string::npos) << said;
   };
   refuses(
-      "Texture \"t\" \"spectrum\" \"checkerboard\" Material \"diffuse\" \"texture reflectance\" \"t\" Shape "
+      "Texture \"t\" \"spectrum\" \"marble\" Material \"diffuse\" \"texture reflectance\" \"t\" Shape "
       "\"sphere\"\n",
       "\" is none of the plain kinds");
   refuses("Material \"diffuse\" \"rgb reflectance@1\" [0 0 0] \"rgb reflectance@3\" [1 1 1] Shape \"sphere\"\n",
