@@ -5,12 +5,14 @@
 #include <cmath>
 #include <optional>
 
+#include "dspm/base/colour/rgb.h"
 #include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/sampling.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/plain_bsdf.h"
+#include "dspm/materials/plain_parameters.h"
 #include "dspm/shapes/surface_geometry.h"
-#include "dspm/textures/plain_albedo.h"
+#include "dspm/textures/plain_value.h"
 
 namespace dspm {
 
@@ -51,11 +53,11 @@ class Diffuse final : public PlainBsdf {
 };
 
 struct PlainDiffuse {
-  PlainAlbedo reflectance;
+  PlainValue<Rgb> reflectance;
 
   template <class Fn>
   constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const Fn& fn) const {
-    return fn(Diffuse(point.ng, point.ns, reflectance.at({point.p, point.uv}) / kPi));
+    return fn(Diffuse(point.ng, point.ns, clamped_albedo(reflectance.at(place_of(point))) / kPi));
   }
 };
 

@@ -1,4 +1,4 @@
-// A material whose textures do not vary as a plain value, which a device can have: one of a few kinds.
+// A material as a plain value, which a device can have: one of a few kinds, whose textures are plain (plain_texture.h).
 #pragma once
 
 #include "dspm/materials/conductor_bsdf.h"

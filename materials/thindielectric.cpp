@@ -17,26 +17,27 @@
 #include "dspm/materials/plain_bsdf.h"
 #include "dspm/materials/plain_material.h"
 #include "dspm/materials/thin_dielectric_bsdf.h"
-#include "dspm/textures/albedo.h"
+#include "dspm/textures/plain_part.h"
 
 namespace dspm {
 namespace {
 
 class ThinDielectricMaterial final : public Material {
  public:
-  ThinDielectricMaterial(float eta, TexturePtr<Rgb> tint) : eta_(eta), tint_(std::move(tint)) {}
+  ThinDielectricMaterial(float eta, TexturePtr<Rgb> tint) : eta_(eta), tint_(std::move(tint)), plain_tint_(tint_) {}
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
-    return PlainThinDielectric{eta_, {tint_.at(texture_point(point))}}.with_bsdf(point, IntoSlot{slot});
+    return PlainThinDielectric{eta_, {tint_->carried(texture_point(point))}}.with_bsdf(point, IntoSlot{slot});
   }
 
  private:
   std::optional<PlainMaterial> plain_look(const Palette& palette) const override {
-    const auto tint = tint_.plain(palette);
+    const auto tint = plain_tint_.value(palette);
     return tint ? std::optional<PlainMaterial>(PlainThinDielectric{eta_, *tint}) : std::nullopt;
   }
 
   float eta_;
-  Albedo tint_;
+  TexturePtr<Rgb> tint_;
+  PlainPart<Rgb> plain_tint_;
 };
 
 }  // namespace

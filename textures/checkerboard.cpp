@@ -47,8 +47,8 @@ class CheckerboardTexture final : public Texture<T> {
                       const Transform& world_from_texture)
       : first_(std::move(first)),
         second_(std::move(second)),
-        plain_first_(*first_),
-        plain_second_(*second_),
+        plain_first_(first_),
+        plain_second_(second_),
         cubes_(cubes),
         mapping_(mapping),
         world_from_texture_(world_from_texture) {}

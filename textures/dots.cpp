@@ -27,8 +27,8 @@ class DotsTexture final : public Texture<T> {
   DotsTexture(TexturePtr<T> dots, TexturePtr<T> around, const TextureMapping& mapping)
       : dots_(std::move(dots)),
         around_(std::move(around)),
-        plain_dots_(*dots_),
-        plain_around_(*around_),
+        plain_dots_(dots_),
+        plain_around_(around_),
         mapping_(mapping) {}
 
   T evaluate(const TexturePoint& at) const override { return here(at)->evaluate(at); }

@@ -23,9 +23,9 @@ class MixTexture final : public Texture<T> {
       : first_(std::move(first)),
         second_(std::move(second)),
         amount_(std::move(amount)),
-        plain_first_(*first_),
-        plain_second_(*second_),
-        plain_amount_(*amount_) {}
+        plain_first_(first_),
+        plain_second_(second_),
+        plain_amount_(amount_) {}
 
   T evaluate(const TexturePoint& at) const override { return value(Evaluate{at}); }
   Carried<T> carried(const TexturePoint& at) const override { return value(Carry{at}); }

@@ -175,7 +175,8 @@ class PlainTexture {
   constexpr PlainTexture(const PlainMix<T>& mix)
       : kind_(Kind::mix), depth_(above(mix.first, mix.second, mix.amount)), mix_(mix) {}
 
-  constexpr T at(const PlainPlace& place) const {
+  /// Never inlined: materials look several textures up, and devices would have the code of all kinds for each.
+  [[gnu::noinline]] constexpr T at(const PlainPlace& place) const {
     switch (kind_) {
       case Kind::constant: return constant_;
       case Kind::imagemap: return imagemap_.at(place);

@@ -19,7 +19,7 @@ template <class T>
 class ScaleTexture final : public Texture<T> {
  public:
   ScaleTexture(TexturePtr<T> texture, TexturePtr<float> scale)
-      : texture_(std::move(texture)), scale_(std::move(scale)), plain_texture_(*texture_), plain_scale_(*scale_) {}
+      : texture_(std::move(texture)), scale_(std::move(scale)), plain_texture_(texture_), plain_scale_(scale_) {}
 
   T evaluate(const TexturePoint& at) const override { return texture_->evaluate(at) * scale_->evaluate(at); }
   Carried<T> carried(const TexturePoint& at) const override { return texture_->carried(at) * scale_->evaluate(at); }

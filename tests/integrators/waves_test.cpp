@@ -32,19 +32,20 @@ class PlainRandomScene {
         kFrames, integrator);
     s += "Texture \"tiles\" \"spectrum\" \"checkerboard\" \"float uscale\" 5 \"float vscale\" 4 \"rgb tex1\" [.9 .2 "
          ".4]\n"
-         "Texture \"picture\" \"spectrum\" \"imagemap\" \"float uscale\" 2 \"string filename\" " +
+         "Texture \"grain\" \"float\" \"wrinkled\" Texture \"picture\" \"spectrum\" \"imagemap\" \"float uscale\" 2 "
+         "\"string filename\" " +
          files()["picture.png"] + "\n";
     for (const char* wall : {"-2 -1.2 -2  -2 -1.2 2  2 -1.2 2  2 -1.2 -2", "-2 -1.2 2  -2 2 2  2 2 2  2 -1.2 2",
                              "-2 -1.2 -2  -2 2 -2  -2 2 2  -2 -1.2 2"})
-      s += "AttributeBegin\n" + material(whole(0, 3) > 1 ? 0 : whole(0, 7)) +
+      s += "AttributeBegin\n" + material(whole(0, 3) > 1 ? 0 : whole(0, 8)) +
            fmt::format("Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point3 P\" [{}]\nAttributeEnd\n",
                        wall);
     for (int i = 0; i < 2; ++i) s += light(whole(0, 4));
     for (int i = 0; i < 3; ++i)
-      s += "AttributeBegin\n" + place() + "\n" + material(whole(0, 7)) + shape() + "AttributeEnd\n";
+      s += "AttributeBegin\n" + place() + "\n" + material(whole(0, 8)) + shape() + "AttributeEnd\n";
     for (int i = 0; i < 2; ++i)
       s += fmt::format("DynamicBegin \"thing{}\" {}\nKeyframe 1 {} Keyframe {} {} KeyframeEnd\n{}DynamicEnd\n", i,
-                       material(whole(0, 7)), place(), whole(2, kFrames), place(), shape());
+                       material(whole(0, 8)), place(), whole(2, kFrames), place(), shape());
     return s;
   }
 
@@ -72,7 +73,8 @@ class PlainRandomScene {
       case 4: return "Material \"conductor\" \"rgb reflectance\" [.9 .7 .4] \"float uroughness\" .3\n";
       case 5: return "Material \"thindielectric\" \"rgb tint\" [.9 .6 .8]\n";
       case 6: return "Material \"diffuse\" \"texture reflectance\" \"picture\"\n";
-      default: return "Material \"diffuse\" \"texture reflectance\" \"tiles\"\n";
+      case 7: return "Material \"diffuse\" \"texture reflectance\" \"tiles\"\n";
+      default: return "Material \"conductor\" \"texture reflectance\" \"picture\" \"texture roughness\" \"grain\"\n";
     }
   }
   std::string shape() {

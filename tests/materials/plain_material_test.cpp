@@ -204,13 +204,19 @@ TEST(PlainMaterial, OfPlainTexturesInRgb) {
   w.textures.add<Rgb>("tiles", w.make<Rgb>("checkerboard", {number_param("uscale", 7), number_param("vscale", 5),
                                                             triple_param(ParamType::rgb, "tex1", .9f, .3f, .6f),
                                                             texture_param("tex2", "clouds")}));
+  w.textures.add<float>("grain", w.make<float>("wrinkled", {}));
+  const auto expect_plain_in_rgb = [&](const char* type, const char* param, const char* texture) {
+    const auto material = with_texture(type, param, texture, w.textures);
+    expect_same_answers(*material, Palette::rgb(), std::string(type) + " of " + texture + " for " + param);
+    EXPECT_FALSE(material->plain(*Palette::of_iteration(3, 5))) << type;
+  };
   for (const char* texture : {"clouds", "tiles"}) {
-    for (const auto& [type, param] : {std::pair("diffuse", "reflectance"), std::pair("thindielectric", "tint")}) {
-      const auto material = with_texture(type, param, texture, w.textures);
-      expect_same_answers(*material, Palette::rgb(), std::string(type) + " of " + texture);
-      EXPECT_FALSE(material->plain(*Palette::of_iteration(3, 5))) << type;
-    }
+    expect_plain_in_rgb("diffuse", "reflectance", texture);
+    expect_plain_in_rgb("thindielectric", "tint", texture);
+    for (const char* param : {"reflectance", "eta", "k"}) expect_plain_in_rgb("conductor", param, texture);
   }
+  for (const char* type : {"conductor", "dielectric"})
+    for (const char* param : {"roughness", "uroughness", "vroughness"}) expect_plain_in_rgb(type, param, "grain");
 }
 
 TEST(PlainMaterial, NotOfTexturesThatVary) {
