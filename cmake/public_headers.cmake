@@ -69,9 +69,10 @@ set(toolkit_headers
   materials/albedo_table.h materials/boundary_tables.h materials/brushed_albedo.h materials/brushed_tables.h
   materials/conductor_bsdf.h materials/dielectric_bsdf.h materials/diffuse_bsdf.h
   materials/fresnel.h materials/interface.h materials/made_up.h materials/metal_tables.h materials/per_surroundings.h
-  materials/plain_bsdf.h materials/plain_material.h materials/relief.h materials/rough_boundary.h materials/table_place.h
+  materials/plain_bsdf.h materials/plain_material.h materials/plain_parameters.h materials/relief.h materials/rough_boundary.h materials/table_place.h
   materials/thin_dielectric_bsdf.h
   media/henyey_greenstein.h
   shapes/beyond_hole.h shapes/curvature.h shapes/cylinder.h shapes/disk.h shapes/plain_shape.h 
   shapes/quadric.h shapes/quadric_shape.h  shapes/sphere.h shapes/triangle.h
-  textures/mapping.h)
+  textures/mapping.h textures/noise.h textures/plain_image.h textures/plain_mapping.h
+  textures/plain_texture.h textures/plain_value.h)

@@ -42,17 +42,15 @@ class ConductorMaterial final : public Material {
   }
 
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
-    return look(point).with_bsdf(point, IntoSlot{slot});
+    return PlainConductor{roughness_.here(point), metal_.here(point), tables_}.with_bsdf(point, IntoSlot{slot});
   }
 
  private:
-  PlainConductor look(const SurfacePoint& point) const {
-    const MetalIndex index = metal_.index(point);
-    return {roughness_.alpha(point), index.eta, index.k, tables_};
-  }
   std::optional<PlainMaterial> plain_look(const Palette& palette) const override {
-    if (!roughness_.is_uniform() || !metal_.is_uniform()) return std::nullopt;
-    return look(anywhere(palette));
+    const auto roughness = roughness_.plain(palette);
+    const auto metal = metal_.plain(palette);
+    return roughness && metal ? std::optional<PlainMaterial>(PlainConductor{*roughness, *metal, tables_})
+                              : std::nullopt;
   }
 
   Roughness roughness_;

@@ -12,6 +12,7 @@
 #include "dspm/materials/metal_tables.h"
 #include "dspm/materials/microfacet.h"
 #include "dspm/materials/plain_bsdf.h"
+#include "dspm/materials/plain_parameters.h"
 #include "dspm/materials/shading_frame.h"
 #include "dspm/shapes/surface_geometry.h"
 
@@ -126,13 +127,15 @@ class RoughConductor final : public PlainBsdf {
 
 /// The tables must outlive it.
 struct PlainConductor {
-  Vec2 alpha;
-  Spectrum eta, k;
+  PlainRoughness roughness;
+  PlainMetal metal;
   MetalTables tables;
 
   template <class Fn>
   constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const Fn& fn) const {
     const ShadingFrame frame(point);
+    const Vec2 alpha = roughness.alpha(place_of(point));
+    const auto [eta, k] = metal.index(place_of(point));
     if (Ggx::is_smooth(alpha)) return fn(SmoothConductor(frame, eta, k));
     return fn(RoughConductor(frame, Ggx(alpha), eta, k, tables));
   }

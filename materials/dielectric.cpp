@@ -74,7 +74,7 @@ class DielectricMaterial final : public Material {
   }
 
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
-    return look(point).with_bsdf(point, IntoSlot{slot});
+    return look(point, roughness_.here(point)).with_bsdf(point, IntoSlot{slot});
   }
   bool bounds_a_body() const override { return true; }
   float eta() const override { return index_.mean(); }
@@ -83,14 +83,14 @@ class DielectricMaterial final : public Material {
   Spectrum absorption(const Palette& palette) const override { return absorption_.per_length(palette); }
 
  private:
-  PlainDielectric look(const SurfacePoint& point) const {
+  PlainDielectric look(const SurfacePoint& point, const PlainRoughness& roughness) const {
     const Refraction refraction(index_, point);
     const float share = std::min(share_of_roughness(refraction.mean_eta), share_of_roughness(refraction.eta));
-    return {roughness_.alpha(point) * share, refraction,
-            tables_ ? tables_->of(point.outside_eta).tables() : GlassTables{}};
+    return {roughness, share, refraction, tables_ ? tables_->of(point.outside_eta).tables() : GlassTables{}};
   }
   std::optional<PlainMaterial> plain_look(const Palette& palette) const override {
-    return roughness_.is_uniform() ? std::optional<PlainMaterial>(look(anywhere(palette))) : std::nullopt;
+    const auto roughness = roughness_.plain(palette);
+    return roughness ? std::optional<PlainMaterial>(look(SurfacePoint{}, *roughness)) : std::nullopt;
   }
 
   RefractiveIndex index_;

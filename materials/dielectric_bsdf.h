@@ -15,6 +15,7 @@
 #include "dspm/materials/made_up.h"
 #include "dspm/materials/microfacet.h"
 #include "dspm/materials/plain_bsdf.h"
+#include "dspm/materials/plain_parameters.h"
 #include "dspm/materials/refractive_index.h"
 #include "dspm/materials/rough_boundary.h"
 #include "dspm/materials/shading_frame.h"
@@ -208,13 +209,15 @@ constexpr float RoughDielectric::lobe_probability(const Vec3& wo, LobeSet lobes)
 
 /// The tables must outlive it.
 struct PlainDielectric {
-  Vec2 alpha;
+  PlainRoughness roughness;
+  float share;  // of the roughness that counts
   Refraction refraction;
   GlassTables tables;
 
   template <class Fn>
   constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const Fn& fn) const {
     const ShadingFrame frame(point);
+    const Vec2 alpha = roughness.alpha(place_of(point)) * share;
     if (Ggx::is_smooth(alpha) || refraction.mean_eta == 1) return fn(SmoothDielectric(frame, refraction));
     return fn(RoughDielectric(frame, Ggx(alpha), refraction, tables));
   }

@@ -15,6 +15,7 @@
 #include "dspm/materials/parameters.h"
 #include "dspm/materials/plain_bsdf.h"
 #include "dspm/materials/plain_material.h"
+#include "dspm/textures/plain_part.h"
 
 namespace dspm {
 namespace {
@@ -22,21 +23,20 @@ namespace {
 class DiffuseMaterial final : public Material {
  public:
   explicit DiffuseMaterial(TexturePtr<Rgb> reflectance)
-      : reflectance_(std::move(reflectance)), is_linear_(reflectance_->averages()) {}
+      : reflectance_(std::move(reflectance)), plain_(reflectance_), is_linear_(reflectance_->averages()) {}
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
-    return look(point).with_bsdf(point, IntoSlot{slot});
+    return PlainDiffuse{{reflectance_->carried(texture_point(point))}}.with_bsdf(point, IntoSlot{slot});
   }
   bool is_linear() const override { return is_linear_; }
 
  private:
-  PlainDiffuse look(const SurfacePoint& point) const {
-    return {clamped_albedo(reflectance_->carried(texture_point(point))) / kPi};
-  }
   std::optional<PlainMaterial> plain_look(const Palette& palette) const override {
-    return reflectance_->is_uniform() ? std::optional<PlainMaterial>(look(anywhere(palette))) : std::nullopt;
+    const auto reflectance = plain_.value(palette);
+    return reflectance ? std::optional<PlainMaterial>(PlainDiffuse{*reflectance}) : std::nullopt;
   }
 
   TexturePtr<Rgb> reflectance_;
+  PlainPart<Rgb> plain_;
   bool is_linear_;
 };
 

@@ -5,11 +5,14 @@
 #include <cmath>
 #include <optional>
 
+#include "dspm/base/colour/rgb.h"
 #include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/sampling.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/plain_bsdf.h"
+#include "dspm/materials/plain_parameters.h"
 #include "dspm/shapes/surface_geometry.h"
+#include "dspm/textures/plain_value.h"
 
 namespace dspm {
 
@@ -50,11 +53,11 @@ class Diffuse final : public PlainBsdf {
 };
 
 struct PlainDiffuse {
-  Spectrum f;
+  PlainValue<Rgb> reflectance;
 
   template <class Fn>
   constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const Fn& fn) const {
-    return fn(Diffuse(point.ng, point.ns, f));
+    return fn(Diffuse(point.ng, point.ns, clamped_albedo(reflectance.at(place_of(point))) / kPi));
   }
 };
 

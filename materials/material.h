@@ -66,8 +66,9 @@ class Material {
   void set_priority(int priority) { priority_ = priority; }
 
   /// Returns the material as paths of that palette see it, as a plain value, which a device can have. It has the Bsdfs of
-  /// bsdf() wherever outside_eta and outside_dispersion of the point are 1. Returns nullopt if there is more to say:
-  /// textures that vary, a relief, a priority, dispersion, what light meets in the body. The material must outlive it.
+  /// bsdf() wherever outside_eta and outside_dispersion of the point are 1 and there is no footprint. Returns nullopt if
+  /// there is more to say: textures without a plain form, a relief, a priority, dispersion, what light meets in the body. The
+  /// material must outlive it.
   std::optional<PlainMaterial> plain(const Palette& palette) const;
 
  private:

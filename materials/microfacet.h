@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 
@@ -74,5 +75,10 @@ class Ggx {
 
 /// Converts perceived roughness to alpha, for pbrt's "remaproughness".
 constexpr float roughness_to_alpha(float roughness) { return rounded::sqrt(std::max(0.f, roughness)); }
+
+/// A metal's complex index of refraction, eta + ik.
+struct MetalIndex {
+  Spectrum eta, k;
+};
 
 }  // namespace dspm

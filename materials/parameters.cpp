@@ -10,6 +10,9 @@
 #include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
+#include "dspm/materials/plain_parameters.h"
+#include "dspm/textures/plain_part.h"
+#include "dspm/textures/plain_value.h"
 
 namespace dspm {
 
@@ -28,16 +31,23 @@ Roughness::Roughness(ParamReader& reader, const MaterialContext& context, const 
   };
   u_ = one(prefix + "uroughness", "along the first tangent; the same as roughness if not given");
   v_ = one(prefix + "vroughness", "across the first tangent; the same as roughness if not given");
+  plain_u_ = std::make_shared<PlainPart<float>>(u_), plain_v_ = std::make_shared<PlainPart<float>>(v_);
 }
 
 bool Roughness::read_remap(ParamReader& reader) {
   return reader.flag("remaproughness", true, "alpha is the square root of roughness, else roughness itself");
 }
 
-Vec2 Roughness::alpha(const SurfacePoint& point) const {
+Vec2 Roughness::alpha(const SurfacePoint& point) const { return here(point).alpha(place_of(point)); }
+
+PlainRoughness Roughness::here(const SurfacePoint& point) const {
   const TexturePoint place = texture_point(point);
-  const Vec2 roughness{u_->evaluate(place), v_->evaluate(place)};
-  return remap_ ? Vec2{roughness_to_alpha(roughness.x), roughness_to_alpha(roughness.y)} : roughness;
+  return {{u_->evaluate(place)}, {v_->evaluate(place)}, remap_};
+}
+
+std::optional<PlainRoughness> Roughness::plain(const Palette& palette) const {
+  const auto u = plain_u_->value(palette), v = plain_v_->value(palette);
+  return u && v ? std::optional(PlainRoughness{*u, *v, remap_}) : std::nullopt;
 }
 
 bool read_energy_compensation(ParamReader& reader, const MaterialContext& context) {
@@ -71,19 +81,20 @@ MetalLook::MetalLook(ParamReader& reader, const MaterialContext& context, const 
                                             reader.subject(), prefix, prefix));
   eta_or_reflectance_ = texture_of(by_reflectance_ ? reflectance : eta, context.textures, reader.diagnostics());
   k_ = texture_of(k, context.textures, reader.diagnostics());
+  plain_eta_or_reflectance_ = std::make_shared<PlainPart<Rgb>>(eta_or_reflectance_);
+  plain_k_ = std::make_shared<PlainPart<Rgb>>(k_);
 }
 
-MetalIndex MetalLook::index(const SurfacePoint& point) const {
+MetalIndex MetalLook::index(const SurfacePoint& point) const { return here(point).index(place_of(point)); }
+
+PlainMetal MetalLook::here(const SurfacePoint& point) const {
   const TexturePoint place = texture_point(point);
-  const Spectrum value = eta_or_reflectance_->carried(place);
-  if (!by_reflectance_) return {value, k_->carried(place)};
-  MetalIndex index{Spectrum(1), Spectrum(0)};
-  for (int c = 0; c < 3; ++c) {
-    // As in pbrt: never quite 1, because k would be infinite.
-    const float r = std::clamp(value[c], 0.f, 0.9999f);
-    index.k[c] = 2 * std::sqrt(r / (1 - r));
-  }
-  return index;
+  return {by_reflectance_, {eta_or_reflectance_->carried(place)}, {by_reflectance_ ? Spectrum(0) : k_->carried(place)}};
+}
+
+std::optional<PlainMetal> MetalLook::plain(const Palette& palette) const {
+  const auto value = plain_eta_or_reflectance_->value(palette), k = plain_k_->value(palette);
+  return value && k ? std::optional(PlainMetal{by_reflectance_, *value, *k}) : std::nullopt;
 }
 
 ValueOrTexture<float> read_opacity(ParamReader& reader) {

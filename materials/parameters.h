@@ -15,21 +15,14 @@
 
 namespace dspm {
 
-/// The place at which textures are looked up.
+template <class T>
+class PlainPart;
+struct PlainMetal;
+struct PlainRoughness;
+
+/// The place at which textures are looked up; place_of() is that of plain textures.
 inline TexturePoint texture_point(const SurfacePoint& point) {
   return {point.p, point.uv, point.ng, point.dpdu, point.dpdv, point.dpdx, point.dpdy, point.vertices, point.palette};
-}
-
-/// Any place, for paths of that palette: what is uniform (Texture::is_uniform) is looked up there.
-inline SurfacePoint anywhere(const Palette& palette) {
-  SurfacePoint point{};
-  point.palette = &palette;
-  return point;
-}
-
-/// Clamps to what a surface can reflect, because a texture may exceed it.
-inline Spectrum clamped_albedo(const Spectrum& c) {
-  return map(c, [](float share) { return std::clamp(share, 0.f, 1.f); });
 }
 
 /// Reads "roughness", "uroughness", "vroughness" and "remaproughness" as GGX alpha along the tangent and across it.
@@ -42,14 +35,17 @@ class Roughness {
   Roughness(ParamReader& reader, const MaterialContext& context, const std::string& prefix, bool remap = true);
   static bool read_remap(ParamReader& reader);
   Vec2 alpha(const SurfacePoint& point) const;
+  /// Returns what it is at the point.
+  PlainRoughness here(const SurfacePoint& point) const;
+  /// Returns what it is at all points, for paths of that palette, if that has a plain form. This must outlive it.
+  std::optional<PlainRoughness> plain(const Palette& palette) const;
   /// These return whether the surface is smooth, or equally rough in both directions, at every point.
   bool is_smooth() const { return u_->constant() == 0.f && v_->constant() == 0.f; }
   bool is_even() const { return u_ == v_ || (u_->constant() && u_->constant() == v_->constant()); }
-  /// Returns whether alpha() is the same everywhere.
-  bool is_uniform() const { return u_->is_uniform() && v_->is_uniform(); }
 
  private:
   TexturePtr<float> u_, v_;
+  std::shared_ptr<const PlainPart<float>> plain_u_, plain_v_;
   bool remap_;
 };
 
@@ -60,22 +56,19 @@ bool read_energy_compensation(ParamReader& reader, const MaterialContext& contex
 /// Reads an index of refraction of what does not refract light by its wavelength: a spectrum is averaged, with a note.
 float read_eta(ParamReader& reader, float fallback = 1.5f, const std::string& name = "eta");
 
-/// A metal's complex index of refraction, eta + ik.
-struct MetalIndex {
-  Spectrum eta, k;
-};
-
 /// Reads "eta" and "k", both after `prefix`, or "reflectance" at normal incidence.
 class MetalLook {
  public:
   MetalLook(ParamReader& reader, const MaterialContext& context, const std::string& prefix = "");
   MetalIndex index(const SurfacePoint& point) const;
-  /// Returns whether index() is the same everywhere.
-  bool is_uniform() const { return eta_or_reflectance_->is_uniform() && k_->is_uniform(); }
+  /// As those of Roughness.
+  PlainMetal here(const SurfacePoint& point) const;
+  std::optional<PlainMetal> plain(const Palette& palette) const;
 
  private:
   bool by_reflectance_;
   TexturePtr<Rgb> eta_or_reflectance_, k_;
+  std::shared_ptr<const PlainPart<Rgb>> plain_eta_or_reflectance_, plain_k_;
 };
 
 /// Returns whether a material of that type has "alpha", "emission" and "emissionstrength". These scatter nothing: world

@@ -1,4 +1,4 @@
-// A material whose textures do not vary as a plain value, which a device can have: one of a few kinds.
+// A material as a plain value, which a device can have: one of a few kinds, whose textures are plain (plain_texture.h).
 #pragma once
 
 #include "dspm/materials/conductor_bsdf.h"
@@ -29,6 +29,10 @@ class PlainMaterial {
     }
     return thin_dielectric_.with_bsdf(point, fn);
   }
+
+  /// Returns whether paths that stand for more than a point average a texture of it (Material::averages) that varies: they
+  /// see something else than with_bsdf() gives.
+  constexpr bool averages() const { return kind_ == Kind::diffuse && diffuse_.reflectance.varies(); }
 
  private:
   Kind kind_;

@@ -6,14 +6,17 @@
 #include <cmath>
 #include <optional>
 
+#include "dspm/base/colour/rgb.h"
 #include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/fresnel.h"
 #include "dspm/materials/interface.h"
 #include "dspm/materials/plain_bsdf.h"
+#include "dspm/materials/plain_parameters.h"
 #include "dspm/materials/shading_frame.h"
 #include "dspm/shapes/surface_geometry.h"
+#include "dspm/textures/plain_value.h"
 
 namespace dspm {
 
@@ -75,11 +78,11 @@ class ThinDielectric final : public PlainBsdf {
 
 struct PlainThinDielectric {
   float eta;
-  Spectrum tint;
+  PlainValue<Rgb> tint;
 
   template <class Fn>
   constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const Fn& fn) const {
-    return fn(ThinDielectric(ShadingFrame(point), eta, tint));
+    return fn(ThinDielectric(ShadingFrame(point), eta, clamped_albedo(tint.at(place_of(point)))));
   }
 };
 

@@ -17,27 +17,27 @@
 #include "dspm/materials/plain_bsdf.h"
 #include "dspm/materials/plain_material.h"
 #include "dspm/materials/thin_dielectric_bsdf.h"
+#include "dspm/textures/plain_part.h"
 
 namespace dspm {
 namespace {
 
 class ThinDielectricMaterial final : public Material {
  public:
-  ThinDielectricMaterial(float eta, TexturePtr<Rgb> tint) : eta_(eta), tint_(std::move(tint)) {}
+  ThinDielectricMaterial(float eta, TexturePtr<Rgb> tint) : eta_(eta), tint_(std::move(tint)), plain_tint_(tint_) {}
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
-    return look(point).with_bsdf(point, IntoSlot{slot});
+    return PlainThinDielectric{eta_, {tint_->carried(texture_point(point))}}.with_bsdf(point, IntoSlot{slot});
   }
 
  private:
-  PlainThinDielectric look(const SurfacePoint& point) const {
-    return {eta_, clamped_albedo(tint_->carried(texture_point(point)))};
-  }
   std::optional<PlainMaterial> plain_look(const Palette& palette) const override {
-    return tint_->is_uniform() ? std::optional<PlainMaterial>(look(anywhere(palette))) : std::nullopt;
+    const auto tint = plain_tint_.value(palette);
+    return tint ? std::optional<PlainMaterial>(PlainThinDielectric{eta_, *tint}) : std::nullopt;
   }
 
   float eta_;
   TexturePtr<Rgb> tint_;
+  PlainPart<Rgb> plain_tint_;
 };
 
 }  // namespace

@@ -7,38 +7,36 @@
 //   | v10 | 0 | at (1, 0) |
 //   | v11 | 1 | at (1, 1) |
 //   and the mapping's parameters, see mapping.h
+#include <optional>
+
 #include "dspm/base/colour/rgb.h"
-#include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/textures/mapping.h"
+#include "dspm/textures/plain_texture.h"
 #include "dspm/textures/plugins.h"
 
 namespace dspm {
 namespace {
 
 template <class T>
-struct Corners {
-  T v00, v01, v10, v11;
-};
-
-template <class T>
 class BilerpTexture final : public Texture<T> {
  public:
-  BilerpTexture(const Corners<T>& corners, const TextureMapping& mapping) : corners_(corners), mapping_(mapping) {}
+  BilerpTexture(const SquareCorners<T>& corners, const TextureMapping& mapping)
+      : corners_(corners), mapping_(mapping) {}
 
-  T evaluate(const TexturePoint& at) const override {
-    const Vec2 st = mapping_.at(at);
-    return (corners_.v00 * (1 - st.x) + corners_.v10 * st.x) * (1 - st.y) +
-           (corners_.v01 * (1 - st.x) + corners_.v11 * st.x) * st.y;
-  }
+  T evaluate(const TexturePoint& at) const override { return corners_.at(mapping_.at(at)); }
 
   std::optional<T> constant() const override {
     const auto& [v00, v01, v10, v11] = corners_;
     return v00 == v01 && v00 == v10 && v00 == v11 ? std::optional<T>(v00) : std::nullopt;
   }
+  std::optional<PlainTexture<T>> plain() const override {
+    const auto mapping = mapping_.plain();
+    return mapping ? std::optional<PlainTexture<T>>(PlainBilerp<T>{corners_, *mapping}) : std::nullopt;
+  }
 
  private:
-  Corners<T> corners_;
+  SquareCorners<T> corners_;
   TextureMapping mapping_;
 };
 
@@ -54,7 +52,7 @@ T read_value(ParamReader& reader, std::string_view name, float fallback, std::st
 
 template <class T>
 TexturePtr<T> make_bilerp(ParamReader& reader, const TextureContext& context) {
-  Corners<T> corners;
+  SquareCorners<T> corners;
   corners.v00 = read_value<T>(reader, "v00", 0, "at (0, 0)");
   corners.v01 = read_value<T>(reader, "v01", 1, "at (0, 1)");
   corners.v10 = read_value<T>(reader, "v10", 0, "at (1, 0)");

@@ -12,20 +12,21 @@
 // is one and a half footprints, as in pbrt. [Pharr, Jakob, Humphreys, Physically Based Rendering, 10.2]
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/params/params.h"
 #include "dspm/textures/mapping.h"
+#include "dspm/textures/plain_part.h"
+#include "dspm/textures/plain_texture.h"
 #include "dspm/textures/plugins.h"
 
 namespace dspm {
 namespace {
 
-/// Returns 1 in cells with an even number along one axis, -1 in the others; the mean by a triangle filter of that
-/// radius.
+/// Returns the mean of sign_of_cell() by a triangle filter of that radius.
 float sign(float x, float radius) {
-  const float cell = std::floor(x);  // a float, because it may exceed every integer type
-  if (!(std::floor(x - radius) < std::floor(x + radius))) return cell == 2 * std::floor(cell / 2) ? 1.f : -1.f;
+  if (!(std::floor(x - radius) < std::floor(x + radius))) return sign_of_cell(x);
   // The sign is the second derivative of this function, so its mean is a second difference; in double, as the radius
   // may be small.
   const auto integral = [](double at) {
@@ -46,6 +47,8 @@ class CheckerboardTexture final : public Texture<T> {
                       const Transform& world_from_texture)
       : first_(std::move(first)),
         second_(std::move(second)),
+        plain_first_(first_),
+        plain_second_(second_),
         cubes_(cubes),
         mapping_(mapping),
         world_from_texture_(world_from_texture) {}
@@ -59,6 +62,11 @@ class CheckerboardTexture final : public Texture<T> {
   }
   bool averages() const override {
     return first_->constant() && second_->constant() && first_->averages() && second_->averages();
+  }
+  std::optional<PlainTexture<T>> plain() const override {
+    const auto mapping = mapping_.plain();
+    if (!mapping) return std::nullopt;
+    return if_sound(PlainTexture<T>(PlainCheckerboard<T>{plain_first_.get(), plain_second_.get(), cubes_, *mapping}));
   }
 
  private:
@@ -80,6 +88,7 @@ class CheckerboardTexture final : public Texture<T> {
   }
 
   TexturePtr<T> first_, second_;
+  PlainPart<T> plain_first_, plain_second_;
   bool cubes_;
   TextureMapping mapping_;
   Transform world_from_texture_;

@@ -9,35 +9,27 @@
 // The names are exchanged, since pbrt's pictures have always had what "inside" says around the dots: its factory passes
 // both in the order opposite to that of its texture. Noise decides which squares have a dot, and where in them. [Pharr,
 // Jakob, Humphreys, Physically Based Rendering, 3rd edition, 10.6.2]
-#include <cmath>
+#include <optional>
 
 #include "dspm/base/colour/rgb.h"
-#include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/textures/mapping.h"
-#include "dspm/textures/noise.h"
+#include "dspm/textures/plain_part.h"
+#include "dspm/textures/plain_texture.h"
 #include "dspm/textures/plugins.h"
 
 namespace dspm {
 namespace {
 
-constexpr float kRadius = 0.35f, kMostShift = 0.5f - kRadius;
-
-/// Squares are centred on points with whole coordinates.
-bool in_dot(Vec2 st) {
-  const Vec2 square{std::floor(st.x + 0.5f), std::floor(st.y + 0.5f)};
-  const auto random = [&](float x, float y) { return noise({square.x + x, square.y + y, 0.5f}); };
-  if (!(random(0.5f, 0.5f) > 0)) return false;
-  const Vec2 shift{kMostShift * random(1.5f, 2.8f), kMostShift * random(4.5f, 9.8f)};
-  const Vec2 off = st - (square + shift);
-  return off.x * off.x + off.y * off.y < kRadius * kRadius;
-}
-
 template <class T>
 class DotsTexture final : public Texture<T> {
  public:
   DotsTexture(TexturePtr<T> dots, TexturePtr<T> around, const TextureMapping& mapping)
-      : dots_(std::move(dots)), around_(std::move(around)), mapping_(mapping) {}
+      : dots_(std::move(dots)),
+        around_(std::move(around)),
+        plain_dots_(dots_),
+        plain_around_(around_),
+        mapping_(mapping) {}
 
   T evaluate(const TexturePoint& at) const override { return here(at)->evaluate(at); }
   Carried<T> carried(const TexturePoint& at) const override { return here(at)->carried(at); }
@@ -46,11 +38,17 @@ class DotsTexture final : public Texture<T> {
     const auto dots = dots_->constant(), around = around_->constant();
     return dots && around && *dots == *around ? dots : std::nullopt;
   }
+  std::optional<PlainTexture<T>> plain() const override {
+    const auto mapping = mapping_.plain();
+    if (!mapping) return std::nullopt;
+    return if_sound(PlainTexture<T>(PlainDots<T>{plain_dots_.get(), plain_around_.get(), *mapping}));
+  }
 
  private:
-  const TexturePtr<T>& here(const TexturePoint& at) const { return in_dot(mapping_.at(at)) ? dots_ : around_; }
+  const TexturePtr<T>& here(const TexturePoint& at) const { return dots::contain(mapping_.at(at)) ? dots_ : around_; }
 
   TexturePtr<T> dots_, around_;
+  PlainPart<T> plain_dots_, plain_around_;
   TextureMapping mapping_;
 };
 

@@ -10,31 +10,17 @@
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/params/params.h"
 #include "dspm/textures/noise.h"
+#include "dspm/textures/noise_texture.h"
+#include "dspm/textures/octaves.h"
+#include "dspm/textures/plain_texture.h"
 #include "dspm/textures/plugins.h"
 
 namespace dspm {
-namespace {
-
-template <class T>
-class FbmTexture final : public Texture<T> {
- public:
-  FbmTexture(const Octaves& octaves, const Transform& world_from_texture)
-      : octaves_(octaves), world_from_texture_(world_from_texture) {}
-
-  T evaluate(const TexturePoint& at) const override { return T(fbm(world_from_texture_.inverse_point(at.p), octaves_)); }
-
- private:
-  Octaves octaves_;
-  Transform world_from_texture_;
-};
-
-}  // namespace
-
 template <class T>
 TexturePtr<T> make_fbm(ParamReader& reader, const TextureContext& context) {
-  const Octaves octaves = Octaves::read(reader);
+  const Octaves octaves = read_octaves(reader);
   reader.finish();
-  return std::make_shared<FbmTexture<T>>(octaves, context.world_from_texture);
+  return std::make_shared<NoiseTexture<T>>(PlainNoise{PlainNoise::Kind::fbm, octaves, context.world_from_texture});
 }
 
 template TexturePtr<float> make_fbm<float>(ParamReader&, const TextureContext&);

@@ -4,19 +4,12 @@
 #include <memory>
 #include <optional>
 
-#include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/textures/mapping.h"
 #include "dspm/textures/mip_map.h"
+#include "dspm/textures/plain_image.h"
 
 namespace dspm {
-
-/// The continuation of the picture outside of 0..1.
-enum class Wrap { repeat, mirror, black, clamp, octahedral_sphere };
-
-/// The part of a pixel that a lookup of a number takes. `usual` is the alpha of a picture that has one, else the mean
-/// of red, green and blue; `alpha` is 1 if the picture has none.
-enum class Channel { usual, red, green, blue, alpha };
 
 enum class ImageFilter { point, bilinear, trilinear, ewa };
 
@@ -37,13 +30,10 @@ class ImageLookup {
   template <class T>
   T at(const TextureCoordinates& coordinates) const;
 
+  /// Returns the picture as lookups at points take it, which is valid for as long as this has it.
+  PlainImage plain() const { return picture(0); }
+
  private:
-  template <class T>
-  T pixel(int level, int x, int y) const;
-  template <class T>
-  T nearest(int level, Vec2 st) const;
-  template <class T>
-  T bilinear(int level, Vec2 st) const;
   template <class T>
   T at_level(float level, Vec2 st) const;
   template <class T>
@@ -51,6 +41,7 @@ class ImageLookup {
   template <class T>
   T elliptical(int level, Vec2 st, Vec2 longer, Vec2 shorter) const;
 
+  PlainImage picture(int level) const;
   /// The picture's longest side, in pixels of level 0.
   float longest_side() const;
 

@@ -20,6 +20,7 @@
 // one pixel of it, bilinear blends four, and trilinear blends two sizes as well. ewa averages over the ellipse that the
 // footprint is, and so stays sharp where a surface is seen at a slant.
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 #include "dspm/base/colour/rgb.h"
@@ -27,6 +28,7 @@
 #include "dspm/image/image.h"
 #include "dspm/textures/image_lookup.h"
 #include "dspm/textures/mapping.h"
+#include "dspm/textures/plain_texture.h"
 #include "dspm/textures/plugins.h"
 
 namespace dspm {
@@ -55,28 +57,28 @@ ImageFilter filter_of(const std::string& word) {
                                           : ImageFilter::trilinear;
 }
 
-float not_negative(float v) { return std::max(v, 0.f); }
-Rgb not_negative(const Rgb& c) { return {not_negative(c.r), not_negative(c.g), not_negative(c.b)}; }
-
 template <class T>
 class ImageTexture final : public Texture<T> {
  public:
-  ImageTexture(const ImageLookup& lookup, const TextureMapping& mapping, float scale, bool invert, bool averages)
-      : lookup_(lookup), mapping_(mapping), scale_(scale), invert_(invert), averages_(averages) {}
+  ImageTexture(const ImageLookup& lookup, const TextureMapping& mapping, const PictureTone& tone, bool averages)
+      : lookup_(lookup), mapping_(mapping), tone_(tone), averages_(averages) {}
 
   T evaluate(const TexturePoint& at) const override {
     TextureCoordinates c = mapping_.map(at);
     c.st.y = 1 - c.st.y, c.dstdx.y = -c.dstdx.y, c.dstdy.y = -c.dstdy.y;
-    const T value = lookup_.at<T>(c) * scale_;
-    return not_negative(invert_ ? T(1) - value : value);
+    return tone_.of(lookup_.at<T>(c));
   }
   bool averages() const override { return averages_; }
+  std::optional<PlainTexture<T>> plain() const override {
+    const auto mapping = mapping_.plain();
+    return mapping ? std::optional<PlainTexture<T>>(PlainImagemap<T>{lookup_.plain(), *mapping, tone_}) : std::nullopt;
+  }
 
  private:
   ImageLookup lookup_;
   TextureMapping mapping_;
-  float scale_;
-  bool invert_, averages_;
+  PictureTone tone_;
+  bool averages_;
 };
 
 /// Returns whether the picture has no end, at which smaller ones would blur what it shows into what lies beyond, and
@@ -126,7 +128,7 @@ TexturePtr<T> make_imagemap(ParamReader& reader, const TextureContext& context) 
   try {
     if (!path.empty() && encoding) {
       const auto picture = context.images.read(path, *encoding);
-      return std::make_shared<ImageTexture<T>>(ImageLookup(picture, settings), mapping, scale, invert,
+      return std::make_shared<ImageTexture<T>>(ImageLookup(picture, settings), mapping, PictureTone{scale, invert},
                                                averages(picture->level(0), settings, scale));
     }
   } catch (const std::runtime_error& unreadable) {

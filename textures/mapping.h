@@ -11,9 +11,12 @@
 // All but uv use the point in the texture's own space: the transform in force where the texture was defined.
 #pragma once
 
+#include <optional>
+
 #include "dspm/base/math/transform.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
+#include "dspm/textures/plain_mapping.h"
 #include "dspm/textures/texture.h"
 
 namespace dspm {
@@ -26,26 +29,21 @@ struct TextureCoordinates {
 
 class TextureMapping {
  public:
-  enum class Kind { uv, spherical, cylindrical, planar };
-
   static TextureMapping read(ParamReader& reader, const Transform& world_from_texture);
 
   Vec2 at(const TexturePoint& point) const;
   TextureCoordinates map(const TexturePoint& point) const;
 
+  /// Returns the mapping of points as a plain value; nullopt if it takes more of them than one has.
+  std::optional<PlainMapping> plain() const { return second_uv_ ? std::nullopt : std::optional(plain_); }
+
  private:
-  Vec2 at_own(const Vec3& p) const;
-  Vec2 turned_uv(Vec2 uv) const;
   bool takes_second(const TexturePoint& point) const { return second_uv_ && point.vertices.data != nullptr; }
   /// Returns the change of the coordinates along the axis `dp` of a footprint, to first order.
   Vec2 change(const TexturePoint& point, const Vec3& dp) const;
 
-  Kind kind_ = Kind::uv;
+  PlainMapping plain_;
   bool second_uv_ = false;
-  Vec2 scale_{1, 1}, delta_;
-  Vec2 along_u_{1, 0};  // where u leads to
-  Vec3 v1_, v2_;
-  Transform world_from_texture_;
 };
 
 /// A place in the texture's own space.

@@ -19,6 +19,7 @@
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/textures/noise.h"
+#include "dspm/textures/octaves.h"
 #include "dspm/textures/plugins.h"
 
 namespace dspm {
@@ -65,7 +66,7 @@ class MarbleTexture final : public Texture<T> {
 
 template <class T>
 TexturePtr<T> make_marble(ParamReader& reader, const TextureContext& context) {
-  const Octaves octaves = Octaves::read(reader);
+  const Octaves octaves = read_octaves(reader);
   const float scale = reader.number("scale", 1, {}, "of the whole: layers repeat every 2 pi / scale in y");
   const float variation = reader.number("variation", 0.2f, {}, "how far noise moves the layers");
   reader.finish();

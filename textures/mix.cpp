@@ -5,8 +5,12 @@
 //   | tex1   | 0  | where amount is 0              |
 //   | tex2   | 1  | where amount is 1              |
 //   | amount | .5 | fraction of tex2; always float |
+#include <optional>
+
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/params/params.h"
+#include "dspm/textures/plain_part.h"
+#include "dspm/textures/plain_texture.h"
 #include "dspm/textures/plugins.h"
 
 namespace dspm {
@@ -16,7 +20,12 @@ template <class T>
 class MixTexture final : public Texture<T> {
  public:
   MixTexture(TexturePtr<T> first, TexturePtr<T> second, TexturePtr<float> amount)
-      : first_(std::move(first)), second_(std::move(second)), amount_(std::move(amount)) {}
+      : first_(std::move(first)),
+        second_(std::move(second)),
+        amount_(std::move(amount)),
+        plain_first_(first_),
+        plain_second_(second_),
+        plain_amount_(amount_) {}
 
   T evaluate(const TexturePoint& at) const override { return value(Evaluate{at}); }
   Carried<T> carried(const TexturePoint& at) const override { return value(Carry{at}); }
@@ -24,26 +33,27 @@ class MixTexture final : public Texture<T> {
   std::optional<T> constant() const override {
     const auto first = first_->constant(), second = second_->constant();
     const auto amount = amount_->constant();
-    return first && second && amount ? std::optional<T>(blend(*first, *second, *amount)) : std::nullopt;
+    return first && second && amount ? std::optional<T>(mixed(*first, *second, *amount)) : std::nullopt;
   }
   /// Returns false if two factors vary: their product has another mean than the product of their means.
   bool averages() const override {
     const bool one_varies = amount_->constant() || (first_->constant() && second_->constant());
     return one_varies && first_->averages() && second_->averages() && amount_->averages();
   }
+  std::optional<PlainTexture<T>> plain() const override {
+    return if_sound(PlainTexture<T>(PlainMix<T>{plain_first_.get(), plain_second_.get(), plain_amount_.get()}));
+  }
 
  private:
   template <class Look>
   auto value(const Look& look) const {
-    return blend(look(first_), look(second_), look(amount_));
-  }
-  template <class V>
-  static V blend(const V& first, const V& second, float amount) {
-    return first * (1 - amount) + second * amount;
+    return mixed(look(first_), look(second_), look(amount_));
   }
 
   TexturePtr<T> first_, second_;
   TexturePtr<float> amount_;
+  PlainPart<T> plain_first_, plain_second_;
+  PlainPart<float> plain_amount_;
 };
 
 }  // namespace

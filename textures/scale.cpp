@@ -4,8 +4,12 @@
 //
 //   | tex   | 1 | the texture to scale     |
 //   | scale | 1 | the factor; always float |
+#include <optional>
+
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/params/params.h"
+#include "dspm/textures/plain_part.h"
+#include "dspm/textures/plain_texture.h"
 #include "dspm/textures/plugins.h"
 
 namespace dspm {
@@ -15,7 +19,7 @@ template <class T>
 class ScaleTexture final : public Texture<T> {
  public:
   ScaleTexture(TexturePtr<T> texture, TexturePtr<float> scale)
-      : texture_(std::move(texture)), scale_(std::move(scale)) {}
+      : texture_(std::move(texture)), scale_(std::move(scale)), plain_texture_(texture_), plain_scale_(scale_) {}
 
   T evaluate(const TexturePoint& at) const override { return texture_->evaluate(at) * scale_->evaluate(at); }
   Carried<T> carried(const TexturePoint& at) const override { return texture_->carried(at) * scale_->evaluate(at); }
@@ -28,10 +32,15 @@ class ScaleTexture final : public Texture<T> {
   bool averages() const override {
     return (texture_->constant() || scale_->constant()) && texture_->averages() && scale_->averages();
   }
+  std::optional<PlainTexture<T>> plain() const override {
+    return if_sound(PlainTexture<T>(PlainScale<T>{plain_texture_.get(), plain_scale_.get()}));
+  }
 
  private:
   TexturePtr<T> texture_;
   TexturePtr<float> scale_;
+  PlainPart<T> plain_texture_;
+  PlainPart<float> plain_scale_;
 };
 
 }  // namespace

@@ -48,6 +48,9 @@ inline Spectrum carried(const Rgb& value, const TexturePoint& at) { return at.pa
 inline bool is_albedo(const Rgb& c) { return c.r >= 0 && c.r <= 1 && c.g >= 0 && c.g <= 1 && c.b >= 0 && c.b <= 1; }
 
 template <class T>
+class PlainTexture;
+
+template <class T>
 class Texture {
  public:
   virtual ~Texture() = default;
@@ -62,6 +65,10 @@ class Texture {
   /// Returns whether evaluate() over a footprint is the mean of its values at points, and these lie in 0..1, so that
   /// nothing cuts them off before they are averaged. Other textures are looked up at points only. Call it once, too.
   virtual bool averages() const { return false; }
+  /// Returns the texture as a plain value, which a device can have (plain_texture.h). At points without a footprint it has
+  /// what carried() has for paths in RGB, to the bit. By default there is none, unless the texture is uniform. It may point
+  /// to what the texture keeps, which must outlive it.
+  virtual std::optional<PlainTexture<T>> plain() const;
 };
 
 /// These look a texture up, as evaluate() and as carried(): textures of textures do both alike.

@@ -9,33 +9,17 @@
 #include "dspm/base/colour/rgb.h"
 #include "dspm/base/params/params.h"
 #include "dspm/textures/noise.h"
+#include "dspm/textures/noise_texture.h"
+#include "dspm/textures/octaves.h"
+#include "dspm/textures/plain_texture.h"
 #include "dspm/textures/plugins.h"
 
 namespace dspm {
-namespace {
-
-template <class T>
-class WrinkledTexture final : public Texture<T> {
- public:
-  WrinkledTexture(const Octaves& octaves, const Transform& world_from_texture)
-      : octaves_(octaves), world_from_texture_(world_from_texture) {}
-
-  T evaluate(const TexturePoint& at) const override {
-    return T(turbulence(world_from_texture_.inverse_point(at.p), octaves_));
-  }
-
- private:
-  Octaves octaves_;
-  Transform world_from_texture_;
-};
-
-}  // namespace
-
 template <class T>
 TexturePtr<T> make_wrinkled(ParamReader& reader, const TextureContext& context) {
-  const Octaves octaves = Octaves::read(reader);
+  const Octaves octaves = read_octaves(reader);
   reader.finish();
-  return std::make_shared<WrinkledTexture<T>>(octaves, context.world_from_texture);
+  return std::make_shared<NoiseTexture<T>>(PlainNoise{PlainNoise::Kind::wrinkled, octaves, context.world_from_texture});
 }
 
 template TexturePtr<float> make_wrinkled<float>(ParamReader&, const TextureContext&);

@@ -3,6 +3,8 @@
 // iteration's Palette (palette.h) says which; whoever scatters light treats the components alike.
 #pragma once
 
+#include <algorithm>
+
 #include "dspm/base/colour/componentwise.h"
 
 namespace dspm {
@@ -19,5 +21,10 @@ struct Spectrum : Componentwise<Spectrum> {
   friend constexpr bool operator==(const Spectrum&, const Spectrum&) = default;
 };
 static_assert(sizeof(Spectrum) == 12);
+
+/// Clamps to what a surface can reflect, because a texture may exceed it.
+constexpr Spectrum clamped_albedo(const Spectrum& c) {
+  return map(c, [](float share) { return std::clamp(share, 0.f, 1.f); });
+}
 
 }  // namespace dspm

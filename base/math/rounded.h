@@ -21,6 +21,13 @@ constexpr float with_sign_of(float sign, double size) { return static_cast<float
 constexpr float sqrt(float x) {
   return std::is_constant_evaluated() ? static_cast<float>(elementary::sqrt(double{x})) : __builtin_sqrtf(x);
 }
+/// Returns the greatest whole number that is not above x.
+constexpr float floor(float x) {
+  if (!std::is_constant_evaluated()) return __builtin_floorf(x);
+  if (!(x > -0x1p23f && x < 0x1p23f) || x == 0) return x;  // whole, or not a number
+  const auto towards_zero = static_cast<float>(static_cast<std::int32_t>(x));
+  return towards_zero > x ? towards_zero - 1 : with_sign_of(x, std::abs(double{towards_zero}));
+}
 /// Returns the square root of x^2 + y^2.
 constexpr float hypot(float x, float y) { return static_cast<float>(elementary::hypot(x, y)); }
 

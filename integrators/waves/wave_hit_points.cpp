@@ -136,7 +136,14 @@ std::string why_not_in_waves(const Scene& scene, const HitPointSettings& setting
   if (settings.sample_direct || settings.light_media || (settings.direct != nullptr && settings.direct->scatters()))
     return "rays from hit points look for lights";
   if (settings.go_on) return "camera paths go on from hit points";
-  return why_not_plain(scene);
+  if (std::string why = why_not_plain(scene); !why.empty()) return why;
+  const bool averages = std::ranges::any_of(scene.materials, [&](const FrameStates<Material>& material) {
+    return std::ranges::any_of(material.states, [&](const auto& state) {
+      const auto plain = state.object->plain(*scene.palette);
+      return state.object->averages() && plain && plain->averages();
+    });
+  });
+  return averages ? "camera paths average textures over what they stand for" : "";
 }
 
 std::vector<HitPointTile> trace_hit_points_in_waves(const Scene& scene, const PlainScene& plain,

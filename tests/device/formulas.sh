@@ -37,7 +37,7 @@ by_clang() {
   local options=(--cuda-device-only -O2 -S -ffp-contract=off -fno-math-errno)
   ptx "$1" "NVIDIA by clang" "$clang" --cuda-gpu-arch=sm_70 -nocudainc -nocudalib -Wno-unknown-cuda-version "${options[@]}"
   compile "$1" "AMD by clang" "$clang" -x hip --offload-arch=gfx90a -nogpuinc -nogpulib "${options[@]}"
-  for name in $(grep -oE '[A-Za-z_][A-Za-z0-9_]*@(rel32|gotpcrel)' "$out/code" | sed 's/@.*//' | sort -u); do
+  for name in $(grep -oE '[A-Za-z_.][A-Za-z0-9_.]*@(rel32|gotpcrel)' "$out/code" | sed 's/@.*//' | sort -u); do
     grep -q "^$name:" "$out/code" || fail "no device has $name"
   done
 }

@@ -6,6 +6,8 @@
 #include <random>
 #include <string>
 
+#include "tests/integrators/scene_files.h"
+
 namespace dspm::test {
 
 class PlainRandomScene {
@@ -19,25 +21,30 @@ class PlainRandomScene {
     std::string camera = "LookAt 0 0.2 -4.2  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" 40";
     std::string film = {}, walls = {};  // further parameters
     int lights = 2;
+    bool varies = false;  // materials may have textures that vary
   };
 
-  std::string text(const std::string& integrator) { return text(integrator, View()); }
+  std::string text(const std::string& integrator) { return text(integrator, {.varies = true}); }
   std::string text(const std::string& integrator, const View& view) {
     std::string s = fmt::format(
         "Frames {}\nIntegrator {}\n{}\nFilm \"rgb\" \"integer xresolution\" 24 \"integer yresolution\" 20 {}\n"
         "WorldBegin\n",
         kFrames, integrator, view.camera, view.film);
+    s += "Texture \"tiles\" \"spectrum\" \"checkerboard\" \"float uscale\" 5 \"float vscale\" 4 \"rgb tex1\" [.9 .2 .4]\n"
+         "Texture \"grain\" \"float\" \"wrinkled\" Texture \"picture\" \"spectrum\" \"imagemap\" \"float uscale\" 2 "
+         "\"string filename\" " +
+         files()["picture.png"] + "\n";
     for (const char* wall : {"-2 -1.2 -2  -2 -1.2 2  2 -1.2 2  2 -1.2 -2", "-2 -1.2 2  -2 2 2  2 2 2  2 -1.2 2",
                              "-2 -1.2 -2  -2 2 -2  -2 2 2  -2 -1.2 2"})
-      s += "AttributeBegin\n" + material(whole(0, 3) > 0 ? 0 : whole(0, 5)) +
+      s += "AttributeBegin\n" + material(whole(0, 3) > 1 ? 0 : whole(0, view.varies ? 8 : 5)) +
            fmt::format("Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point3 P\" [{}] {}\nAttributeEnd\n",
                        wall, view.walls);
     for (int i = 0; i < view.lights; ++i) s += light(whole(0, 4));
     for (int i = 0; i < 3; ++i)
-      s += "AttributeBegin\n" + place() + "\n" + material(whole(0, 5)) + shape() + "AttributeEnd\n";
+      s += "AttributeBegin\n" + place() + "\n" + material(whole(0, view.varies ? 8 : 5)) + shape() + "AttributeEnd\n";
     for (int i = 0; i < 2; ++i)
       s += fmt::format("DynamicBegin \"thing{}\" {}\nKeyframe 1 {} Keyframe {} {} KeyframeEnd\n{}DynamicEnd\n", i,
-                       material(whole(0, 5)), place(), whole(2, kFrames), place(), shape());
+                       material(whole(0, view.varies ? 8 : 5)), place(), whole(2, kFrames), place(), shape());
     return s;
   }
 
@@ -63,7 +70,11 @@ class PlainRandomScene {
         return fmt::format("Material \"conductor\" \"float roughness\" {}\n",
                            whole(0, 1) == 0 ? 0.f : real(0.01f, 0.4f));
       case 4: return "Material \"conductor\" \"rgb reflectance\" [.9 .7 .4] \"float uroughness\" .3\n";
-      default: return "Material \"thindielectric\" \"rgb tint\" [.9 .6 .8]\n";
+      case 5: return "Material \"thindielectric\" \"rgb tint\" [.9 .6 .8]\n";
+      case 6:
+        return "Material \"conductor\" \"texture reflectance\" \"picture\" \"texture roughness\" \"grain\"\n";
+      case 7: return "Material \"diffuse\" \"texture reflectance\" \"tiles\"\n";
+      default: return "Material \"diffuse\" \"texture reflectance\" \"picture\"\n";
     }
   }
   std::string shape() {
@@ -92,6 +103,11 @@ class PlainRandomScene {
       case 3: return "LightSource \"distant\" \"rgb L\" [2 2 2] \"point3 from\" [1 2 -1] \"point3 to\" [0 0 0]\n";
       default: return "LightSource \"infinite\" \"rgb L\" [.3 .4 .5]\n";
     }
+  }
+
+  static const SceneFiles& files() {
+    static const SceneFiles all;
+    return all;
   }
 
   std::mt19937 random_;

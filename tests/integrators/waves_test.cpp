@@ -120,7 +120,7 @@ TEST(Waves, SayWhatHasNoPlainForm) {
     EXPECT_NE(said.find(why), std::string::npos) << said;
   };
   refuses(
-      "Texture \"t\" \"spectrum\" \"checkerboard\" Material \"diffuse\" \"texture reflectance\" \"t\" Shape "
+      "Texture \"t\" \"spectrum\" \"marble\" Material \"diffuse\" \"texture reflectance\" \"t\" Shape "
       "\"sphere\"\n",
       "\" is none of the plain kinds");
   refuses("Material \"diffuse\" \"rgb reflectance@1\" [0 0 0] \"rgb reflectance@3\" [1 1 1] Shape \"sphere\"\n",

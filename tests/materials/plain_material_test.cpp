@@ -10,6 +10,7 @@
 #include "dspm/materials/mix.h"
 #include "dspm/materials/relief.h"
 #include "tests/materials/materials.h"
+#include "tests/textures/make.h"
 
 namespace dspm::test {
 namespace {
@@ -74,19 +75,20 @@ SurfacePoint random_point(int index, const Palette& palette) {
   return point;
 }
 
-void expect_same_answers(const Material& material, const std::string& name) {
-  const auto spectral = Palette::of_iteration(3, 5);
-  for (const Palette* palette : {&Palette::rgb(), spectral.get()}) {
-    const std::optional<PlainMaterial> plain = material.plain(*palette);
-    ASSERT_TRUE(plain) << name;
-    for (int i = 0; i < 200; ++i) {
-      const SurfacePoint point = random_point(i, *palette);
-      BsdfSlot slot;
-      const Bits expected = answers(material.bsdf(point, slot), i);
-      ASSERT_TRUE(plain->with_bsdf(point, [&](const auto& bsdf) { return answers(bsdf, i); }) == expected)
-          << name << ", point " << i << (palette->is_rgb() ? "" : ", spectral");
-    }
+void expect_same_answers(const Material& material, const Palette& palette, const std::string& name) {
+  const std::optional<PlainMaterial> plain = material.plain(palette);
+  ASSERT_TRUE(plain) << name;
+  for (int i = 0; i < 200; ++i) {
+    const SurfacePoint point = random_point(i, palette);
+    BsdfSlot slot;
+    const Bits expected = answers(material.bsdf(point, slot), i);
+    ASSERT_TRUE(plain->with_bsdf(point, [&](const auto& bsdf) { return answers(bsdf, i); }) == expected)
+        << name << ", point " << i << (palette.is_rgb() ? "" : ", spectral");
   }
+}
+void expect_same_answers(const Material& material, const std::string& name) {
+  expect_same_answers(material, Palette::rgb(), name);
+  expect_same_answers(material, *Palette::of_iteration(3, 5), name);
 }
 
 /// Draws parameters.
@@ -184,18 +186,46 @@ class Ramp final : public FloatTexture {
   float evaluate(const TexturePoint& at) const override { return at.uv.x; }
 };
 
+std::unique_ptr<Material> with_texture(std::string_view type, const char* param, const char* texture,
+                                       const TextureSet& textures) {
+  Diagnostics diagnostics;
+  const ParamList list{{texture_param(param, texture)}};
+  ParamReader reader(list, "material", {}, diagnostics);
+  auto material = material_plugins().find(type)->make(reader, MaterialContext{textures});
+  EXPECT_TRUE(diagnostics.all().empty());
+  return material;
+}
+
+TEST(PlainMaterial, OfPlainTexturesInRgb) {
+  Workshop w;
+  const auto brighter_than_white = w.make<Rgb>(  // so it is clamped
+      "fbm", {integer_param("octaves", 3), number_param("roughness", 3)});
+  w.textures.add<Rgb>("clouds", brighter_than_white);
+  w.textures.add<Rgb>("tiles", w.make<Rgb>("checkerboard", {number_param("uscale", 7), number_param("vscale", 5),
+                                                            triple_param(ParamType::rgb, "tex1", .9f, .3f, .6f),
+                                                            texture_param("tex2", "clouds")}));
+  w.textures.add<float>("grain", w.make<float>("wrinkled", {}));
+  const auto expect_plain_in_rgb = [&](const char* type, const char* param, const char* texture) {
+    const auto material = with_texture(type, param, texture, w.textures);
+    expect_same_answers(*material, Palette::rgb(), std::string(type) + " of " + texture + " for " + param);
+    EXPECT_FALSE(material->plain(*Palette::of_iteration(3, 5))) << type;
+  };
+  for (const char* texture : {"clouds", "tiles"}) {
+    expect_plain_in_rgb("diffuse", "reflectance", texture);
+    expect_plain_in_rgb("thindielectric", "tint", texture);
+    for (const char* param : {"reflectance", "eta", "k"}) expect_plain_in_rgb("conductor", param, texture);
+  }
+  for (const char* type : {"conductor", "dielectric"})
+    for (const char* param : {"roughness", "uroughness", "vroughness"}) expect_plain_in_rgb(type, param, "grain");
+}
+
 TEST(PlainMaterial, NotOfTexturesThatVary) {
   TextureSet textures;
   textures.add<Rgb>("metamers", std::make_shared<Metamers>());
   textures.add<float>("ramp", std::make_shared<Ramp>());
   textures.add<float>("half", std::make_shared<ConstantTexture<float>>(0.5f));
   const auto plain_with = [&](std::string_view type, const char* param, const char* texture) {
-    Diagnostics diagnostics;
-    const ParamList list{{{ParamType::texture, param, {}, std::vector<std::string>{texture}, {}, {}}}};
-    ParamReader reader(list, "material", {}, diagnostics);
-    const auto material = material_plugins().find(type)->make(reader, MaterialContext{textures});
-    EXPECT_TRUE(diagnostics.all().empty());
-    return plain_of(*material);
+    return plain_of(*with_texture(type, param, texture, textures));
   };
   EXPECT_FALSE(plain_with("diffuse", "reflectance", "metamers"));
   EXPECT_FALSE(plain_with("thindielectric", "tint", "metamers"));

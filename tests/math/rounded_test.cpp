@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -75,6 +76,24 @@ TEST(Rounded, SineAndCosineNextToWholeQuartersOfATurn) {
   differences.expect_few();
 }
 
+TEST(Rounded, WholeNumbersBelowAllFloats) {
+  for (std::uint64_t b = 0; b < std::uint64_t{1} << 32; b += step()) {
+    const float x = of_bits(static_cast<std::uint32_t>(b));
+    if (std::isnan(x)) continue;
+    EXPECT_EQ(bits(rounded::floor(x)), bits(std::floor(x))) << x;
+  }
+  constexpr float kValues[] = {0.f,     -0.f,  0.3f,   -0.3f,          1.f,
+                               -1.f,    7.99f, -7.99f, 0x1.fffffep22f, -0x1.fffffep22f,
+                               0x1p31f, kMost, -kMost, kInf,           -kInf};
+  constexpr auto kBelow = [&] {
+    std::array<float, std::size(kValues)> below{};
+    for (std::size_t i = 0; i < below.size(); ++i) below[i] = rounded::floor(kValues[i]);
+    return below;
+  }();
+  for (std::size_t i = 0; i < kBelow.size(); ++i)
+    EXPECT_EQ(bits(kBelow[i]), bits(std::floor(kValues[i]))) << kValues[i];
+}
+
 TEST(Rounded, InverseFunctionsOfAllFloats) {
   compare_all([](float x) { return rounded::asin(x); }, [](double x) { return std::asin(x); });
   compare_all([](float x) { return rounded::acos(x); }, [](double x) { return std::acos(x); });
@@ -139,7 +158,8 @@ TEST(Rounded, ZerosInfinitiesAndNanOfTwoFloatsAreAsInC) {
                           0x1.fffffep23f,
                           0x1p24f};
   const auto is_same = [](float a, float b) {  // to the last digit, which ours need not have right
-    return std::isnan(a) ? std::isnan(b) : bits(a) - bits(b) + 1 <= (std::isfinite(b) && b != 0 ? 2 : 1) && bits(a) + 1 >= bits(b);
+    return std::isnan(a) ? std::isnan(b)
+                         : bits(a) - bits(b) + 1 <= (std::isfinite(b) && b != 0 ? 2 : 1) && bits(a) + 1 >= bits(b);
   };
   for (const float x : values)
     for (const float y : values) {
