@@ -157,6 +157,15 @@ TEST(CameraWaves, LeaveImagesAsTheyAre) {
     }
 }
 
+// A camera path stands for a pixel, and sees what a texture is there on average; a photon is a point.
+TEST(CameraWaves, SayWhenTexturesAreAveraged) {
+  TestScene test(PlainRandomScene(1).text("\"dsppm\"") +
+                 "Texture \"t\" \"spectrum\" \"checkerboard\" Material \"diffuse\" \"texture reflectance\" \"t\"\n"
+                 "Shape \"disk\"\n");
+  const auto scene = test.scene(test.all_frames());
+  EXPECT_EQ(why_not_in_waves(*scene, HitPointSettings()), "camera paths average textures over what they stand for");
+}
+
 TEST(CameraWaves, SayWhenRaysBringLightToHitPoints) {
   TestScene test(PlainRandomScene(1).text("\"dsppm\""));
   const auto scene = test.scene(test.all_frames());

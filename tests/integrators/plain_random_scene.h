@@ -30,7 +30,8 @@ class PlainRandomScene {
         "Frames {}\nIntegrator {}\n{}\nFilm \"rgb\" \"integer xresolution\" 24 \"integer yresolution\" 20 {}\n"
         "WorldBegin\n",
         kFrames, integrator, view.camera, view.film);
-    s += "Texture \"tiles\" \"spectrum\" \"checkerboard\" \"float uscale\" 5 \"float vscale\" 4 \"rgb tex1\" [.9 .2 .4]\n"
+    s += "Texture \"tiles\" \"spectrum\" \"checkerboard\" \"float uscale\" 5 \"float vscale\" 4 \"rgb tex1\" [.9 .2 "
+         ".4]\n"
          "Texture \"grain\" \"float\" \"wrinkled\" Texture \"picture\" \"spectrum\" \"imagemap\" \"float uscale\" 2 "
          "\"string filename\" " +
          files()["picture.png"] + "\n";
@@ -71,8 +72,7 @@ class PlainRandomScene {
                            whole(0, 1) == 0 ? 0.f : real(0.01f, 0.4f));
       case 4: return "Material \"conductor\" \"rgb reflectance\" [.9 .7 .4] \"float uroughness\" .3\n";
       case 5: return "Material \"thindielectric\" \"rgb tint\" [.9 .6 .8]\n";
-      case 6:
-        return "Material \"conductor\" \"texture reflectance\" \"picture\" \"texture roughness\" \"grain\"\n";
+      case 6: return "Material \"conductor\" \"texture reflectance\" \"picture\" \"texture roughness\" \"grain\"\n";
       case 7: return "Material \"diffuse\" \"texture reflectance\" \"tiles\"\n";
       default: return "Material \"diffuse\" \"texture reflectance\" \"picture\"\n";
     }
