@@ -53,7 +53,7 @@ set(toolkit_headers
   integrators/photons/camera_beam.h integrators/photons/gather_beams.h
   integrators/photons/hit_point.h integrators/photons/hit_point_tile.h integrators/photons/medium_photons.h
   integrators/photons/memory_needs.h
-  integrators/photons/photon.h integrators/photons/photon_grid.h integrators/photons/photon_map.h
+  integrators/photons/photon.h integrators/photons/photon_grid.h integrators/photons/photon_kinds.h integrators/photons/photon_map.h
   integrators/photons/photon_numbers.h
   integrators/photons/radiance_estimate.h integrators/photons/same_surface.h
   integrators/photons/trace_hit_points.h integrators/photons/trace_photons.h
@@ -65,7 +65,7 @@ set(toolkit_headers
   integrators/transport/gathering_lobes.h integrators/transport/lobe_choice.h integrators/transport/nesting.h integrators/transport/path_step.h integrators/transport/roulette.h integrators/transport/roulette_chance.h
   integrators/transport/shading_correction.h integrators/transport/shape_face.h integrators/transport/strand.h integrators/transport/strip_place.h
   integrators/transport/walk.h
-  lights/aim.h lights/emitter_light.h lights/point_emitter.h lights/strength.h
+  lights/aim.h lights/emitter_light.h lights/point_emitter.h lights/spot_emitter.h lights/strength.h
   materials/albedo_table.h materials/boundary_tables.h materials/brushed_albedo.h materials/brushed_tables.h
   materials/conductor_bsdf.h materials/dielectric_bsdf.h materials/diffuse_bsdf.h
   materials/fresnel.h materials/interface.h materials/made_up.h materials/metal_tables.h materials/per_surroundings.h
@@ -74,5 +74,5 @@ set(toolkit_headers
   media/henyey_greenstein.h
   shapes/beyond_hole.h shapes/curvature.h shapes/cylinder.h shapes/disk.h shapes/plain_shape.h 
   shapes/quadric.h shapes/quadric_shape.h  shapes/sphere.h shapes/triangle.h
-  textures/mapping.h textures/noise.h textures/plain_image.h textures/plain_mapping.h
+  textures/mapping.h textures/noise.h textures/plain_part.h textures/plain_image.h textures/plain_mapping.h
   textures/plain_texture.h textures/plain_value.h)
