@@ -28,7 +28,7 @@ struct CameraWave {
   bool may_hide_photons;
 };
 
-/// A camera path on its way, see CameraPath. What it averages over is not followed: plain materials are uniform.
+/// A camera path on its way, see CameraPath. What it stands for is not followed: no texture that is averaged may vary.
 struct CameraState {
   Ray ray;
   Spectrum throughput;
