@@ -7,6 +7,11 @@
 //                   of the time) or "own"; usually, Embree builds the large ones. It affects no pixel.
 #pragma once
 
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "dspm/accel/accel.h"
 #include "dspm/accel/tree.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
