@@ -143,32 +143,27 @@ struct PlainRay {
   constexpr PlainRay(const Ray& r, float margins) : ray(r), mesh(r), box(r, margins) {}
 };
 
-/// Finds hits on a mesh in its own space.
-template <class Query>
-constexpr void find_on_mesh(const PlainTree& mesh, const Ray& ray, Query& query) {
-  const PlainRay prepared(ray, mesh.margins);
-  if (mesh.empty() || is_nowhere(prepared.box)) return;
-  traverse(mesh, prepared.box, query, [&](std::uint32_t leaf) {
-    for_each_packet(mesh, leaf,
-                    [&](const TrianglePacket& packet) { find_in(packet, prepared.mesh, mesh.frames, query); });
-  });
-}
-
 /// Returns whether the ray enters one of the root's boxes within `limit`; if not, it hits nothing there.
 constexpr bool enters(const PlainTree& tree, const PlainRay& ray, float limit) {
   float entry[Bvh::kWidth];
   return !tree.empty() && !is_nowhere(ray.box) && entered_children(tree.nodes[tree.root], ray.box, limit, entry) != 0;
 }
 
+/// Offers the ray's hits on triangles to `query`, and calls at(const PlainTree::Placed&) for the placed objects that it may
+/// hit.
+template <class Query, class AtPlaced>
+constexpr void find(const PlainTree& tree, const PlainRay& ray, Query& query, const AtPlaced& at) {
+  if (tree.empty() || is_nowhere(ray.box)) return;
+  traverse(tree, ray.box, query, [&](std::uint32_t leaf) {
+    if (leaf >= kPlaced) return at(tree.placed[leaf - kPlaced]);
+    for_each_packet(tree, leaf, [&](const TrianglePacket& packet) { find_in(packet, ray.mesh, tree.frames, query); });
+  });
+}
+
 /// Offers the ray's hits to `query`.
 template <class Query>
 constexpr void find(const PlainTree& tree, const PlainRay& ray, Query& query) {
-  if (tree.empty() || is_nowhere(ray.box)) return;
-  traverse(tree, ray.box, query, [&](std::uint32_t leaf) {
-    if (leaf < kPlaced)
-      return for_each_packet(tree, leaf,
-                             [&](const TrianglePacket& packet) { find_in(packet, ray.mesh, tree.frames, query); });
-    const PlainTree::Placed& placed = tree.placed[leaf - kPlaced];
+  find(tree, ray, query, [&](const PlainTree::Placed& placed) {
     const FrameSet frames = placed.frames & query.frames();
     if (frames.empty()) return;
     const Ray own_ray = placed.in_object_space ? placed.to_world.inverse_ray(ray.ray) : ray.ray;
@@ -177,7 +172,7 @@ constexpr void find(const PlainTree& tree, const PlainRay& ray, Query& query) {
       return;
     }
     Query own(FrameSet::single(0), query.limit());
-    find_on_mesh(*placed.mesh, own_ray, own);
+    find(*placed.mesh, PlainRay(own_ray, placed.mesh->margins), own, [](const PlainTree::Placed&) {});
     pass_on(own, placed.number, frames, query);
   });
 }

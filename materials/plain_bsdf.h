@@ -46,7 +46,7 @@ class BsdfOf final : public Bsdf {
   Plain plain_;
 };
 
-/// Puts a Bsdf of which it is told into a slot.
+/// Puts the Bsdf that it is called with into a slot.
 struct IntoSlot {
   BsdfSlot& slot;
 

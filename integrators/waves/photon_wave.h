@@ -58,8 +58,6 @@ struct WavePhoton {
 /// Where the flux of a path goes; see EnergyBalance.
 enum class PhotonEnd : std::uint8_t { escaped, absorbed, terminated, too_deep };
 
-constexpr float largest(const Spectrum& s) { return std::max(s[0], std::max(s[1], s[2])); }
-
 /// A path that has met a surface.
 template <class Out>
 class PhotonAtSurface {
@@ -123,7 +121,7 @@ class PhotonAtSurface {
       out_.end(path_, part_.frames, PhotonEnd::terminated);
       return {};
     }
-    const float p = std::min(1.f, largest(after) / largest(before));
+    const float p = std::min(1.f, max_component(after) / max_component(before));
     const float u = path_.random.number(path_.bounces, kRoulette);
     const Spectrum surviving = left_by_roulette(after, p, u);
     out_.scatter(part_.frames, before, after, surviving);
