@@ -63,7 +63,7 @@ set(toolkit_headers
   integrators/transport/medium_flight.h integrators/transport/medium_passage.h integrators/transport/medium_segment.h
   integrators/transport/medium_vertex.h
   integrators/transport/gathering_lobes.h integrators/transport/lobe_choice.h integrators/transport/nesting.h integrators/transport/path_step.h integrators/transport/roulette.h integrators/transport/roulette_chance.h
-  integrators/transport/shading_correction.h integrators/transport/shape_face.h integrators/transport/strand.h integrators/transport/strip_place.h
+  integrators/transport/sample_bsdf.h integrators/transport/shading_correction.h integrators/transport/shape_face.h integrators/transport/strand.h integrators/transport/strip_place.h
   integrators/transport/walk.h
   lights/aim.h lights/emitter_light.h lights/point_emitter.h lights/spot_emitter.h lights/strength.h
   materials/albedo_table.h materials/boundary_tables.h materials/brushed_albedo.h materials/brushed_tables.h

@@ -33,4 +33,8 @@ struct SurfaceGeometry {
   }
 };
 
+constexpr bool is_finite(const SurfaceGeometry& point) {
+  return is_finite(point.p) && is_finite(point.ng) && is_finite(point.ns);
+}
+
 }  // namespace dspm

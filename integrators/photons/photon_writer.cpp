@@ -1,6 +1,7 @@
 #include "dspm/integrators/photons/photon_writer.h"
 
 #include "dspm/base/math/vec.h"
+#include "dspm/integrators/photons/arrival_correction.h"
 #include "dspm/integrators/photons/direct_balance.h"
 #include "dspm/integrators/transport/direct_light.h"
 
@@ -18,13 +19,9 @@ void PhotonWriter::store(std::vector<Photon>& photons, const PhotonPath& path, c
                          const Vertex& vertex, FrameSet frames) {
   const SurfacePoint& point = vertex.point;
   const Vec3& wi = vertex.wo;
-  Spectrum flux = path.throughput;
-  if (const Vec3& ns = unbent_normal(point); !(ns == point.ng)) {
-    // If the normals disagree about the side, every scattering function is zero.
-    const float geometric = dot(wi, point.ng), shading = dot(wi, ns);
-    if (!(geometric * shading > 0)) return;
-    flux *= shading / geometric;
-  }
+  const auto correction = arrival_correction(unbent_normal(point), point.ng, wi);
+  if (!correction) return;
+  Spectrum flux = path.throughput * *correction;
   if (path.kind == kDirectPhotons && settings_.direct != nullptr)
     flux *= settings_.direct->weight_of_photon(from.light, from.state, from.start, {point.p, point.ng});
   photons.push_back(photon(path, from, vertex, flux, frames));

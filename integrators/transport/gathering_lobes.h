@@ -6,8 +6,10 @@
 #include <optional>
 
 #include "dspm/base/colour/spectrum.h"
+#include "dspm/base/math/rng.h"
 #include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
+#include "dspm/integrators/dimension.h"
 #include "dspm/materials/bsdf.h"
 #include "dspm/shapes/surface_geometry.h"
 
@@ -63,15 +65,15 @@ constexpr LobeSet glossy_lobes(const AnyBsdf& bsdf, const Point& point, float le
   return static_cast<LobeSet>(bsdf.lobes(kLeastRoughness) & ~gathering_lobes(bsdf, point, least_alpha));
 }
 
-/// Chooses for light that leaves along wo; number() returns the random number to choose by, if there is a choice.
-template <class AnyBsdf, class Point, class Number>
+/// Chooses for light that leaves along wo, by the numbers that a path has at that bounce.
+template <class AnyBsdf, class Point>
 constexpr LobeChoice choose_lobes(const AnyBsdf& bsdf, const Point& point, const Vec3& wo, float least_alpha,
-                                  Number&& number) {
+                                  const PathRandom& random, int bounce) {
   const LobeSet all = bsdf.lobes(0), rough = gathering_lobes(bsdf, point, least_alpha),
                 smooth = static_cast<LobeSet>(all & ~rough);
   if (rough == 0 || smooth == 0) return {all, 1, smooth == 0};
   const float rough_chance = bsdf.lobe_probability(wo, rough);
-  if (number() < rough_chance) return {rough, rough_chance, true};
+  if (random.number(bounce, kSplit) < rough_chance) return {rough, rough_chance, true};
   return {smooth, 1 - rough_chance, false};
 }
 

@@ -2,7 +2,6 @@
 // extended, and how it ends.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -12,8 +11,8 @@
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/rng.h"
 #include "dspm/base/math/vec.h"
-#include "dspm/integrators/dimension.h"
 #include "dspm/integrators/transport/medium_vertex.h"
+#include "dspm/integrators/transport/sample_bsdf.h"
 #include "dspm/integrators/transport/shading_correction.h"
 #include "dspm/integrators/transport/strand.h"
 #include "dspm/integrators/transport/walk.h"
@@ -42,9 +41,6 @@ struct PathState {
 };
 
 inline bool is_finite(const Ray& ray) { return is_finite(ray.origin) && is_finite(ray.direction); }
-inline bool is_finite(const SurfacePoint& point) {
-  return is_finite(point.p) && is_finite(point.ng) && is_finite(point.ns);
-}
 
 /// A path's intersection with a surface, in the frames that meet the same one.
 struct Vertex {
@@ -210,8 +206,7 @@ void for_each_escape(const Scene& scene, FrameSet frames, const Ray& ray, int bo
 
 inline std::optional<BsdfSample> sample_bsdf(const Bsdf& bsdf, const PathState& path, const Vec3& wo,
                                              Transport transport, LobeSet lobes) {
-  const Vec2 u = path.random.pair(path.bounces, kScatter);
-  return bsdf.sample(wo, {u.x, u.y, path.random.number(path.bounces, kLobe)}, transport, lobes);
+  return sample_bsdf(bsdf, wo, transport, lobes, path.random, path.bounces);
 }
 
 /// Starts the path's next segment along the sampled direction; the caller updates the throughput.

@@ -16,6 +16,7 @@
 #include "dspm/integrators/transport/gathering_lobes.h"
 #include "dspm/integrators/transport/light_value.h"
 #include "dspm/integrators/transport/roulette_chance.h"
+#include "dspm/integrators/transport/sample_bsdf.h"
 #include "dspm/integrators/waves/plain_scene.h"
 
 namespace dspm {
@@ -83,8 +84,7 @@ class CameraAtSurface {
 
   template <class AnyBsdf>
   constexpr void arrive(const AnyBsdf& bsdf) {
-    const LobeChoice choice =
-        choose_lobes(bsdf, point_, wo_, wave_.least_alpha, [&] { return path_.random.number(path_.bounces, kSplit); });
+    const LobeChoice choice = choose_lobes(bsdf, point_, wo_, wave_.least_alpha, path_.random, path_.bounces);
     if (choice.rough)
       end(bsdf, choice);
     else
@@ -105,9 +105,7 @@ class CameraAtSurface {
     if ((choice.lobes & bsdf.lobes(kLeastRoughness)) != 0) out_.see({path_, part_, choice, WaveSight::Kind::samples});
     const auto glossy = static_cast<LobeSet>(choice.lobes & glossy_lobes(bsdf, point_, wave_.least_alpha));
     if (glossy != 0 && wave_.may_hide_photons) store(Spectrum(1 / choice.chance), glossy, false, true);
-    const Vec2 u = path_.random.pair(path_.bounces, kScatter);
-    const auto sample =
-        bsdf.sample(wo_, {u.x, u.y, path_.random.number(path_.bounces, kLobe)}, Transport::radiance, choice.lobes);
+    const auto sample = sample_bsdf(bsdf, wo_, Transport::radiance, choice.lobes, path_.random, path_.bounces);
     if (!sample) return;
     if (!is_finite(sample->wi)) return out_.reject_material(path_, shape_.material);
     CameraState next = path_;
@@ -164,7 +162,7 @@ constexpr void step(const PlainScene& scene, const Query& query, const CameraWav
     }
     const PlainPlacedShape& shape = scene.shape_of(part.hit);
     const SurfaceGeometry point = shape.surface_point(part.hit.primitive, part.hit.uv);
-    if (!is_finite(point.p) || !is_finite(point.ng) || !is_finite(point.ns)) {
+    if (!is_finite(point)) {
       out.reject_shape(arrived, part.hit.shape);
       continue;
     }

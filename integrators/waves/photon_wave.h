@@ -12,10 +12,12 @@
 #include "dspm/base/math/rng.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/integrators/dimension.h"
+#include "dspm/integrators/photons/arrival_correction.h"
 #include "dspm/integrators/photons/photon_kinds.h"
 #include "dspm/integrators/transport/gathering_lobes.h"
 #include "dspm/integrators/transport/light_value.h"
 #include "dspm/integrators/transport/roulette_chance.h"
+#include "dspm/integrators/transport/sample_bsdf.h"
 #include "dspm/integrators/transport/shading_correction.h"
 #include "dspm/integrators/transport/shape_face.h"
 #include "dspm/integrators/waves/plain_scene.h"
@@ -77,29 +79,21 @@ class PhotonAtSurface {
 
  private:
   constexpr void store(bool hidden) {
-    Spectrum flux = path_.throughput;
-    if (!(point_.ns == point_.ng)) {
-      // If the normals disagree about the side, every scattering function is zero.
-      const float geometric = dot(wo_, point_.ng), shading = dot(wo_, point_.ns);
-      if (!(geometric * shading > 0)) return;
-      flux *= shading / geometric;
-    }
-    out_.store({point_.p, point_.ng, wo_, flux, part_.frames, ShapeFace(part_.hit.shape, point_.ng, wo_), path_.start,
-                path_.bounces, path_.kind, hidden});
+    const auto correction = arrival_correction(point_.ns, point_.ng, wo_);
+    if (!correction) return;
+    out_.store({point_.p, point_.ng, wo_, path_.throughput * *correction, part_.frames,
+                ShapeFace(part_.hit.shape, point_.ng, wo_), path_.start, path_.bounces, path_.kind, hidden});
   }
 
   template <class AnyBsdf>
   constexpr void scatter(const AnyBsdf& bsdf) {
     if (path_.bounces + 1 >= wave_.max_depth) return out_.end(path_, part_.frames, PhotonEnd::too_deep);
-    const LobeChoice choice =
-        choose_lobes(bsdf, point_, wo_, wave_.least_alpha, [&] { return path_.random.number(path_.bounces, kSplit); });
+    const LobeChoice choice = choose_lobes(bsdf, point_, wo_, wave_.least_alpha, path_.random, path_.bounces);
     const unsigned kind = kind_after(path_.kind, choice.rough);
     const bool wanted =
         kind == kDiffusePhotons ? (wave_.kinds & kDiffusePhotons) != 0 : path_.caustics && shape_.caustics;
     if (!wanted) return out_.end(path_, part_.frames, PhotonEnd::terminated);
-    const Vec2 u = path_.random.pair(path_.bounces, kScatter);
-    const auto sample =
-        bsdf.sample(wo_, {u.x, u.y, path_.random.number(path_.bounces, kLobe)}, Transport::flux, choice.lobes);
+    const auto sample = sample_bsdf(bsdf, wo_, Transport::flux, choice.lobes, path_.random, path_.bounces);
     const bool valid = !sample || is_finite(sample->wi);
     if (!valid) out_.reject_material(shape_.material, part_.frames);
     if (!sample || !valid) return out_.end(path_, part_.frames, PhotonEnd::absorbed);
@@ -156,7 +150,7 @@ constexpr void step(const PlainScene& scene, const Query& query, const PhotonWav
     }
     const PlainPlacedShape& shape = scene.shape_of(part.hit);
     const SurfaceGeometry point = shape.surface_point(part.hit.primitive, part.hit.uv);
-    if (!is_finite(point.p) || !is_finite(point.ng) || !is_finite(point.ns)) {
+    if (!is_finite(point)) {
       out.reject_shape(part.hit.shape, part.frames);
       out.end(path, part.frames, PhotonEnd::absorbed);
     } else if (path.bounces == 0 && part.hit.t < path.must_reach) {
