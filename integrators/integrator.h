@@ -23,6 +23,15 @@ namespace dspm {
 
 class FileSample;
 
+/// What traces paths. On all but the CPU photons are traced in waves, or the integrator reports why they are not; so are camera
+/// paths if photons bring all light to their hit points. Images are the same.
+enum class Device {
+  cpu,
+  waves,     // the CPU as if it were a GPU
+  gpu,       // or it is an error
+  automatic  // a GPU if there is one and if the scene and the integrator suit it
+};
+
 /// The settings of the job that do not depend on the integrator.
 struct RenderSettings {
   int width = 0, height = 0;  // of the full image
@@ -32,9 +41,7 @@ struct RenderSettings {
   bool filter_textures = true;       // false: lookups of camera paths do not average over a footprint
   bool noise_per_frame = false;      // camera paths draw other numbers where the camera is in another state
   bool independent_numbers = false;  // of all other paths; else even among them
-  // Photons are traced in waves, or the integrator reports why they are not; so are camera paths if photons bring all light
-  // to their hit points.
-  bool in_waves = false;
+  Device device = Device::cpu;
   bool spectral = false;  // each iteration has wavelengths, and a palette of its own
   std::uint64_t seed = 0;
   int default_iterations = 256;      // if the integrator's parameters set none
@@ -83,7 +90,7 @@ struct IntegratorPlugin : Plugin<MakeIntegrator> {
   int frames_together = kMaxFrames;  // in one scene; 1 for an integrator that does not share work
   bool sees_media = false;           // else scenes with media are refused
   bool sees_moments = false;         // of one iteration: Iteration::moments
-  bool traces_waves = false;         // it heeds RenderSettings::in_waves; else it is not asked to
+  bool traces_waves = false;         // it heeds RenderSettings::device; else that is cpu
 };
 PluginTable<IntegratorPlugin>& integrator_plugins();
 

@@ -115,6 +115,7 @@ struct Statistics {
   int photon_batches = 1;    // per iteration
   Counters counters;         // of a plugin's own
   EmissionReports emission;  // where photon paths start; empty if nothing was learned or counted
+  std::string why_off_gpu;   // paths have left it for the CPU in the middle of a run; empty: they have not
 
   /// Saves or loads the members that accumulate over iterations.
   void persist(StateStream& state);

@@ -125,6 +125,9 @@ void RunWarnings::warn_once(const std::string& what, const std::string& message,
 }
 
 void RunWarnings::look(const Statistics& statistics, int all) {
+  if (!statistics.why_off_gpu.empty())
+    warn_once("gpu", fmt::format("{}; the rest of the run takes the CPU", statistics.why_off_gpu),
+              "images are the same either way");
   if (statistics.iterations < kFirstLook) return;
   const std::string after = counted(static_cast<std::size_t>(statistics.iterations), "iteration");
   if (const auto cut = visible_cut(statistics.cut_light, job_.settings.crop))

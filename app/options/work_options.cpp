@@ -22,8 +22,9 @@ void add_work_options(CLI::App& app, Options& o) {
       ->check(one_of({"rgb", "spectral"}))
       ->type_name("KIND");
   app.add_option("--device", o.device,
-                 "cpu, or waves: photons step by step together, as a GPU would trace them; images are the same")
-      ->check(one_of({"cpu", "waves"}))
+                 "what traces paths: cpu (the default), gpu, auto (a GPU if there is one and the scene suits it), or waves "
+                 "(the CPU as if it were a GPU); images are the same")
+      ->check(one_of({"cpu", "waves", "gpu", "auto"}))
       ->type_name("NAME");
   add_count(app, "--iterations,--spp", o.iterations, 0, kMaxCount, "camera paths per pixel; 0: until stopped");
   add_count(app, "--photons", o.photons, 1, kMaxCount, "photon paths per iteration");

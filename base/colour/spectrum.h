@@ -27,4 +27,8 @@ constexpr Spectrum clamped_albedo(const Spectrum& c) {
   return map(c, [](float share) { return std::clamp(share, 0.f, 1.f); });
 }
 
+constexpr double sum(const Spectrum& c) {
+  return static_cast<double>(c[0]) + static_cast<double>(c[1]) + static_cast<double>(c[2]);
+}
+
 }  // namespace dspm

@@ -9,7 +9,7 @@
 #include "dspm/integrators/methods/photon_batches.h"
 #include "dspm/integrators/methods/pixel_sinks.h"
 #include "dspm/integrators/photons/typical_hit_point.h"
-#include "dspm/integrators/waves/if_plain.h"
+#include "dspm/integrators/waves/traced_paths.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {
@@ -21,7 +21,7 @@ class Progressive final : public Integrator {
  public:
   Progressive(const ProgressiveSettings& settings, const Scene& scene, const RenderSettings& render,
               const EstimatorKind& estimator)
-      : render_(render), ways_(settings, scene), typical_(hit_point_tile_count(render.crop)) {
+      : render_(render), ways_(settings, scene), paths_(settings.device, render.device == Device::automatic), typical_(hit_point_tile_count(render.crop)) {
     statistics_.steps = {{"emission"}, {"hit points"}, {"photons"}, {"photon map"}, {"statistics"}};
     ways_.start_statistics(scene, render, statistics_);
     // How much memory photons take depends on where they start.
@@ -129,9 +129,9 @@ class Progressive final : public Integrator {
   void trace_camera_paths(const Scene& scene, const HitPointSettings& settings, int iteration) {
     const StepTimer timer(statistics_.steps[kHitPoints]);
     const auto number = static_cast<std::uint64_t>(iteration);
-    tiles_ = render_.in_waves ? trace_hit_points_in_waves_if_plain(scene, render_, settings, number, std::move(tiles_))
-                              : trace_hit_points(scene, render_, settings, number, std::move(tiles_));
+    tiles_ = paths_.hit_points(scene, render_, settings, number, std::move(tiles_));
     account(tiles_, statistics_);
+    statistics_.why_off_gpu = paths_.why_off_gpu();
   }
 
   /// Returns what suits the photon map's cells.
@@ -146,8 +146,8 @@ class Progressive final : public Integrator {
   void trace_light_paths(const Scene& scene, const PhotonSettings& settings, int iteration, std::int64_t first,
                          std::int64_t end) {
     const StepTimer timer(statistics_.steps[kPhotons]);
-    const auto trace = render_.in_waves ? trace_photons_in_waves_if_plain : trace_photons;
-    traces_ = trace(scene, settings, static_cast<std::uint64_t>(iteration), first, end, std::move(traces_));
+    const auto number = static_cast<std::uint64_t>(iteration);
+    traces_ = paths_.photons(scene, settings, number, first, end, std::move(traces_));
   }
 
   void build_photon_map(const Scene& scene, float cell_size) {
@@ -195,6 +195,7 @@ class Progressive final : public Integrator {
 
   RenderSettings render_;
   LearnedWays ways_;
+  TracedPaths paths_;
   PhotonBatches batches_;
   IterationRadius radius_;  // of hidden light and of kz11: the next iteration's
   PixelSinks sinks_;

@@ -8,6 +8,7 @@
 #include "dspm/integrators/max_depth.h"
 #include "dspm/integrators/photons/shares_of_light.h"
 #include "dspm/integrators/pixel_count.h"
+#include "dspm/integrators/waves/devices.h"
 #include "dspm/integrators/waves/wave_photons.h"
 #include "dspm/world/scene/scene.h"
 
@@ -78,19 +79,38 @@ void expect_photons_in_media(ParamReader& params, const ProgressiveSettings& set
                  "leave it out: in scenes with media photons bring all indirect light");
 }
 
-void expect_waves(ParamReader& params, const ProgressiveSettings& settings, const Scene& scene,
-                  const RenderSettings& render) {
-  if (!render.in_waves || scene.accel == nullptr) return;
-  if (const std::string why = why_not_in_waves(scene, settings.photon); !why.empty())
-    params.error("", "photons of this scene cannot be traced in waves: " + why, "leave out --device waves");
+void choose_device(ParamReader& params, ProgressiveSettings& settings, const Scene& scene,
+                   const RenderSettings& render) {
+  if (render.device == Device::cpu || scene.accel == nullptr) return;
+  const std::string no_gpu = render.device == Device::waves ? "" : why_no_gpu();
+  const std::string no_waves = why_not_in_waves(scene, settings.photon);
+  if (render.device == Device::automatic) {
+    settings.why_not_gpu = no_gpu.empty() ? no_waves : no_gpu;
+    if (settings.why_not_gpu.empty()) settings.device = Device::gpu;
+    return;
+  }
+  if (!no_gpu.empty()) params.error("", "there is no GPU to render on: " + no_gpu, "take --device auto, or leave it out");
+  if (!no_waves.empty())
+    params.error("", "photons of this scene cannot be traced in waves: " + no_waves, "leave out --device");
+  settings.device = render.device;
 }
+
+namespace {
+
+std::string in_words(Device device, const std::string& why_not_gpu) {
+  if (device == Device::gpu) return ", paths on a GPU";
+  if (device == Device::waves) return ", paths in waves";
+  return why_not_gpu.empty() ? "" : ", paths on the CPU: " + why_not_gpu;
+}
+
+}  // namespace
 
 std::string in_words(const ProgressiveSettings& s) {
   const float radius = s.hit_point.radius;
-  return fmt::format("{}{} photons per iteration, initial radius {}, estimator {}, gathering at GGX alpha {} and above",
-                     s.may_choose ? "at most " : "", s.photons,
-                     radius > 0 ? fmt::format("{}", radius) : "from the pixel footprint", s.kz11 ? "kz11" : "hj09",
-                     s.photon.least_alpha);
+  return fmt::format(
+      "{}{} photons per iteration, initial radius {}, estimator {}, gathering at GGX alpha {} and above{}",
+      s.may_choose ? "at most " : "", s.photons, radius > 0 ? fmt::format("{}", radius) : "from the pixel footprint",
+      s.kz11 ? "kz11" : "hj09", s.photon.least_alpha, in_words(s.device, s.why_not_gpu));
 }
 
 }  // namespace dspm

@@ -21,6 +21,8 @@ struct ProgressiveSettings {
   bool may_choose = true;  // how much of the light photons bring, by what pays
   PhotonSettings photon;
   HitPointSettings hit_point;
+  Device device = Device::cpu;  // not automatic
+  std::string why_not_gpu;      // if a GPU would have been taken
 };
 
 /// Returns the settings in words, for the log.
@@ -29,9 +31,8 @@ std::string in_words(const ProgressiveSettings& settings);
 /// Reports an error if camera paths are to find what media scatter.
 void expect_photons_in_media(ParamReader& params, const ProgressiveSettings& settings, const Scene& scene);
 
-/// Reports an error if photons are to be traced in waves and cannot be.
-void expect_waves(ParamReader& params, const ProgressiveSettings& settings, const Scene& scene,
-                  const RenderSettings& render);
+/// Sets the device; reports an error if photons cannot be traced on the one that was asked for.
+void choose_device(ParamReader& params, ProgressiveSettings& settings, const Scene& scene, const RenderSettings& render);
 
 /// Reads the parameters and calls finish().
 ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderSettings& render);

@@ -135,7 +135,7 @@ class SppmKz11 final : public PixelEstimator {
 std::unique_ptr<Integrator> make_sppm(ParamReader& params, const Scene& scene, const RenderSettings& render) {
   ProgressiveSettings settings = read_progressive_settings(params, render);
   expect_photons_in_media(params, settings, scene);
-  expect_waves(params, settings, scene, render);
+  choose_device(params, settings, scene, render);
   settings.may_choose = false;
   return make_progressive(settings, scene, render,
                           settings.kz11 ? estimator_kind<SppmKz11>() : estimator_kind<SppmHj09>());

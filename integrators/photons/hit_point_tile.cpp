@@ -2,7 +2,8 @@
 
 namespace dspm {
 
-void HitPointTile::clear() {
+void HitPointTile::start(const Palette& of_iteration) {
+  palette = &of_iteration;
   hit_points.clear();
   glossy.clear();
   scatterings.clear();

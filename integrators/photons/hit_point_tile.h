@@ -74,8 +74,8 @@ struct HitPointTile {
   MediumSection section_of(const CameraBeam& beam) const {
     return {beam.begin, beam.end, beam.left, beam.sigma_t, std::span(steps).subspan(beam.first_step, beam.steps), {}};
   }
-  /// Removes all hit points but keeps the memory.
-  void clear();
+  /// Removes all that it holds but keeps the memory, for an iteration of that palette.
+  void start(const Palette& of_iteration);
 };
 
 /// Adds the tiles' counts to `statistics`.

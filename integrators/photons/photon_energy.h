@@ -9,10 +9,6 @@
 
 namespace dspm {
 
-inline double sum(const Spectrum& c) {
-  return static_cast<double>(c[0]) + static_cast<double>(c[1]) + static_cast<double>(c[2]);
-}
-
 /// The energy of the paths of one trace, whose lists of strands are those of the lights at that time.
 class PhotonEnergy {
  public:

@@ -24,8 +24,9 @@ constexpr int kTileSide = 16;
 constexpr int kPilotsAcross = 8;  // of a tile of few pixels: they are short work, for many threads
 
 /// Learning looks at every pixel of a small picture, tile by tile: there, large tiles keep neighbours together.
-int tile_side(const PixelRect& crop) {
+int tile_side(const PixelRect& crop, int stride = 1) {
   constexpr int kSmall = 1 << 13;
+  if (stride > 1) return kPilotsAcross * stride;
   return crop.count() < kSmall ? 2 * kTileSide : kTileSide;
 }
 
@@ -265,30 +266,25 @@ bool may_hide_photons(const Scene& scene, const HitPointSettings& settings) {
   return settings.least_alpha < kNothingGathers && std::ranges::any_of(scene.lights, &SceneLight::is_delta);
 }
 
+std::vector<std::array<int, 2>> pixels_of_hit_point_tile(const RenderSettings& render, const HitPointSettings& settings,
+                                                         std::size_t tile, int stride) {
+  std::vector<std::array<int, 2>> pixels;
+  for_each_pixel_of_tile(render.crop, tile_side(render.crop, stride), static_cast<int>(tile), [&](int x, int y) {
+    if (x % stride == 0 && y % stride == 0 && settings.pixels.contain(x, y)) pixels.push_back({x, y});
+  });
+  return pixels;
+}
+
 std::vector<HitPointTile> trace_hit_points(const Scene& scene, const RenderSettings& render,
                                            const HitPointSettings& settings, std::uint64_t iteration,
                                            std::vector<HitPointTile> reuse, int stride) {
-  return trace_tiles(scene, render, settings, std::move(reuse), stride, [&](HitPointTile& tile, const auto& pixels) {
-    HitPointTracer tracer(scene, render, settings, tile);
-    for (const auto& [x, y] : pixels) tracer.trace(x, y, iteration);
+  reuse.resize(static_cast<std::size_t>(tile_count(render.crop, tile_side(render.crop, stride))));
+  parallel_for(static_cast<std::int64_t>(reuse.size()), 1, [&](std::int64_t number) {
+    const auto t = static_cast<std::size_t>(number);
+    reuse[t].start(*scene.palette);
+    HitPointTracer tracer(scene, render, settings, reuse[t]);
+    for (const auto& [x, y] : pixels_of_hit_point_tile(render, settings, t, stride)) tracer.trace(x, y, iteration);
     tracer.finish();
-  });
-}
-
-std::vector<HitPointTile> trace_tiles(const Scene& scene, const RenderSettings& render,
-                                      const HitPointSettings& settings, std::vector<HitPointTile> reuse, int stride,
-                                      const TraceTile& trace) {
-  const int side = stride > 1 ? kPilotsAcross * stride : tile_side(render.crop);
-  reuse.resize(static_cast<std::size_t>(tile_count(render.crop, side)));
-  parallel_for(static_cast<std::int64_t>(reuse.size()), 1, [&](std::int64_t t) {
-    HitPointTile& tile = reuse[static_cast<std::size_t>(t)];
-    tile.clear();
-    tile.palette = scene.palette.get();
-    std::vector<std::array<int, 2>> pixels;
-    for_each_pixel_of_tile(render.crop, side, static_cast<int>(t), [&](int x, int y) {
-      if (x % stride == 0 && y % stride == 0 && settings.pixels.contain(x, y)) pixels.push_back({x, y});
-    });
-    trace(tile, pixels);
   });
   return reuse;
 }

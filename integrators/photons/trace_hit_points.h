@@ -2,9 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <span>
 #include <vector>
 
 #include "dspm/base/math/frames.h"
@@ -43,13 +42,9 @@ std::vector<HitPointTile> trace_hit_points(const Scene& scene, const RenderSetti
                                            const HitPointSettings& settings, std::uint64_t iteration,
                                            std::vector<HitPointTile> reuse, int stride = 1);
 
-/// Traces the camera paths of pixels of the full image, given as x and y, into an empty tile.
-using TraceTile = std::function<void(HitPointTile&, std::span<const std::array<int, 2>>)>;
-
-/// Does what trace_hit_points() does, each tile by `trace`.
-std::vector<HitPointTile> trace_tiles(const Scene& scene, const RenderSettings& render,
-                                      const HitPointSettings& settings, std::vector<HitPointTile> reuse, int stride,
-                                      const TraceTile& trace);
+/// Returns the pixels of a tile, as x and y in the full image, from which trace_hit_points() sends camera paths.
+std::vector<std::array<int, 2>> pixels_of_hit_point_tile(const RenderSettings& render, const HitPointSettings& settings,
+                                                         std::size_t tile, int stride = 1);
 
 /// Returns whether hidden photons may exist, for which glossy lobes look that extend paths.
 bool may_hide_photons(const Scene& scene, const HitPointSettings& settings);

@@ -18,6 +18,7 @@
 #include "dspm/integrators/transport/roulette_chance.h"
 #include "dspm/integrators/transport/sample_bsdf.h"
 #include "dspm/integrators/waves/plain_scene.h"
+#include "dspm/integrators/waves/wave_order.h"
 
 namespace dspm {
 
@@ -40,11 +41,12 @@ struct CameraState {
   float pdf_w;
   PathRandom random;
   std::uint32_t start;  // the path's, among those of the wave
+  std::uint32_t path;   // its number: the camera's states start paths of one number
   std::uint16_t bounces;
   bool caught;
 };
 
-/// A hit point as a step leaves it, to be ordered by start and bounce.
+/// A hit point as a step leaves it.
 struct WaveHitPoint {
   SurfaceGeometry point;
   Vec3 wo;
@@ -58,6 +60,9 @@ struct WaveHitPoint {
   bool constant;  // f is, and among the throughput
   bool glossy;    // the lobes extend the path as well, and gather hidden photons only
   bool caught;
+
+  /// See WavePhoton::order().
+  constexpr std::uint64_t order() const { return wave_order(start, bounces, frames, glossy); }
 };
 
 /// A place where the path may see lights, in the order in which it does.
@@ -71,6 +76,11 @@ struct WaveSight {
   FrameHit at;
   LobeChoice choice;
   Kind kind;
+
+  /// See WavePhoton::order().
+  constexpr std::uint64_t order() const {
+    return wave_order(path.start, path.bounces, path.frames, static_cast<unsigned>(kind));
+  }
 };
 
 /// A path that has met a surface.

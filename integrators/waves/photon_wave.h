@@ -21,6 +21,7 @@
 #include "dspm/integrators/transport/shading_correction.h"
 #include "dspm/integrators/transport/shape_face.h"
 #include "dspm/integrators/waves/plain_scene.h"
+#include "dspm/integrators/waves/wave_order.h"
 
 namespace dspm {
 
@@ -39,22 +40,26 @@ struct PhotonState {
   PathRandom random;
   float must_reach;     // the distance before which the first segment meets nothing that counts
   std::uint32_t start;  // the path's, among those of the wave
+  std::uint32_t path;   // its number: lights chosen for some of the frames start paths of one number
   std::uint16_t bounces;
   std::uint8_t kind;
   bool hidden, caustics;
   bool wants_direct;  // photons straight from its light are to be stored
 };
 
-/// A photon as a step leaves it, to be ordered by start and bounce.
+/// A photon as a step leaves it.
 struct WavePhoton {
   Vec3 p, ng, wi;
   Spectrum flux;
   FrameSet frames;
   ShapeFace face;
-  std::uint32_t start;
+  std::uint32_t start, path;
   std::uint16_t bounces;
   std::uint8_t kind;
   bool hidden;  // see PhotonTrace::hidden
+
+  /// Photons in the order of these numbers, which differ, are in the order of path, bounce and frame.
+  constexpr std::uint64_t order() const { return wave_order(path, bounces, frames, hidden); }
 };
 
 /// Where the flux of a path goes; see EnergyBalance.
@@ -82,7 +87,7 @@ class PhotonAtSurface {
     const auto correction = arrival_correction(point_.ns, point_.ng, wo_);
     if (!correction) return;
     out_.store({point_.p, point_.ng, wo_, path_.throughput * *correction, part_.frames,
-                ShapeFace(part_.hit.shape, point_.ng, wo_), path_.start, path_.bounces, path_.kind, hidden});
+                ShapeFace(part_.hit.shape, point_.ng, wo_), path_.start, path_.path, path_.bounces, path_.kind, hidden});
   }
 
   template <class AnyBsdf>
@@ -95,7 +100,7 @@ class PhotonAtSurface {
     if (!wanted) return out_.end(path_, part_.frames, PhotonEnd::terminated);
     const auto sample = sample_bsdf(bsdf, wo_, Transport::flux, choice.lobes, path_.random, path_.bounces);
     const bool valid = !sample || is_finite(sample->wi);
-    if (!valid) out_.reject_material(shape_.material, part_.frames);
+    if (!valid) out_.reject_material(path_, shape_.material, part_.frames);
     if (!sample || !valid) return out_.end(path_, part_.frames, PhotonEnd::absorbed);
     const float correction = shading_correction(point_, wo_, sample->wi);
     const Spectrum after = path_.throughput * (sample->weight * (correction / choice.chance));
@@ -111,7 +116,7 @@ class PhotonAtSurface {
   constexpr Spectrum play_roulette(const Spectrum& after) {
     const Spectrum& before = path_.throughput;
     if (!is_light(after)) {
-      out_.reject_material(shape_.material, part_.frames);
+      out_.reject_material(path_, shape_.material, part_.frames);
       out_.end(path_, part_.frames, PhotonEnd::terminated);
       return {};
     }
@@ -137,7 +142,8 @@ class PhotonAtSurface {
 ///   void push(const PhotonState&)                                 the path goes on, in the next wave
 ///   void end(const PhotonState&, FrameSet, PhotonEnd)             its flux ends in these frames
 ///   void scatter(FrameSet, before, after, surviving)              what a surface and roulette make of its flux
-///   void reject_shape(int, FrameSet), reject_material(int, FrameSet)   values that are not finite
+///   void reject_shape(const PhotonState&, int, FrameSet), reject_material(const PhotonState&, int, FrameSet)
+///                                                                 values that are not finite
 template <class Query, class Out>
 constexpr void step(const PlainScene& scene, const Query& query, const PhotonWave& wave, const PhotonState& path,
                     Out& out) {
@@ -151,7 +157,7 @@ constexpr void step(const PlainScene& scene, const Query& query, const PhotonWav
     const PlainPlacedShape& shape = scene.shape_of(part.hit);
     const SurfaceGeometry point = shape.surface_point(part.hit.primitive, part.hit.uv);
     if (!is_finite(point)) {
-      out.reject_shape(part.hit.shape, part.frames);
+      out.reject_shape(path, part.hit.shape, part.frames);
       out.end(path, part.frames, PhotonEnd::absorbed);
     } else if (path.bounces == 0 && part.hit.t < path.must_reach) {
       out.end(path, part.frames, PhotonEnd::absorbed);

@@ -1,7 +1,8 @@
 #include "dspm/integrators/waves/wave_hit_points.h"
 
 #include <algorithm>
-#include <tuple>
+#include <cstddef>
+#include <memory>
 
 #include "dspm/base/math/frames.h"
 #include "dspm/integrators/photons/direct_balance.h"
@@ -9,16 +10,16 @@
 #include "dspm/integrators/photons/hit_point_writer.h"
 #include "dspm/integrators/transport/camera_path.h"
 #include "dspm/integrators/waves/camera_wave.h"
-#include "dspm/integrators/waves/follow_waves.h"
+#include "dspm/integrators/waves/parts_of_waves.h"
 #include "dspm/integrators/waves/plain_objects.h"
 
 namespace dspm {
 namespace {
 
-/// The waves of one tile, and what they leave.
-class WavesOfTile {
+/// What starts in one tile, and what waves leave there.
+class TileOfWaves {
  public:
-  WavesOfTile(const Scene& scene, const PlainScene& plain, const RenderSettings& render,
+  TileOfWaves(const Scene& scene, const PlainScene& plain, const RenderSettings& render,
               const HitPointSettings& settings, HitPointTile& tile)
       : scene_(scene),
         plain_(plain),
@@ -26,8 +27,7 @@ class WavesOfTile {
         settings_(settings),
         tile_(tile),
         out_(scene, settings, tile),
-        light_(scene, render, settings, out_),
-        wave_{settings.max_depth, settings.least_alpha, settings.keep_bsdf, may_hide_photons(scene, settings)} {}
+        light_(scene, render, settings, out_) {}
 
   void start(int x, int y, std::uint64_t iteration) {
     start_camera_paths(
@@ -36,60 +36,38 @@ class WavesOfTile {
     ++tile_.paths.paths;
   }
 
-  void trace(std::uint64_t shuffle) {
-    follow_waves(next_, shuffle, [&](const CameraState& path) { step(plain_, plain_.query, wave_, path, *this); });
-    std::ranges::sort(sights_, {}, [](const WaveSight& s) {
-      return std::tuple(s.path.start, s.path.bounces, s.kind, s.path.frames.lowest());
-    });
-    std::ranges::sort(hit_points_, {},
-                      [](const WaveHitPoint& h) { return std::tuple(h.start, h.bounces, h.frames.lowest()); });
-    for (const WaveSight& sight : sights_) show(sight);
-    for (const WaveHitPoint& hit : hit_points_) keep(hit);
-    tile_.paths.dynamic_paths += static_cast<std::uint64_t>(std::ranges::count(parted_, true));
-  }
+  const std::vector<CameraState>& states() const { return states_; }
+  std::uint32_t paths() const { return static_cast<std::uint32_t>(tile_.paths.paths); }
 
-  // What a step leaves, see step().
-  void segment(const CameraState& path, const HitPartition& parts) {
-    tile_.paths.segments.add(path.frames.count());
-    if (parts.size() > 1 || path.frames != scene_.frames()) parted_[started_[path.start].path] = true;
-  }
-  void see(const WaveSight& sight) { sights_.push_back(sight); }
-  void store(const WaveHitPoint& hit) { hit_points_.push_back(hit); }
-  void push(const CameraState& path) { next_.push_back(path); }
-  void reject_shape(const CameraState& path, int shape) {
-    out_.reject(started_[path.start].as, path.frames, {SceneElement::Kind::shape, shape});
-  }
-  void reject_material(const CameraState& path, int material) {
-    out_.reject(started_[path.start].as, path.frames, {SceneElement::Kind::material, material});
+  void keep(const CameraWaves& waves, const PartRange& range) {
+    for (const WaveSight& sight : range.of(waves.sights)) show(sight, started_[range.start(sight)]);
+    for (const WaveHitPoint& hit : range.of(waves.hit_points)) keep(hit, started_[range.start(hit)]);
+    for (const WaveRejection& rejection : range.of(waves.rejections))
+      out_.reject(started_[range.start(rejection)], rejection.frames, element_of(rejection));
+    tile_.paths.dynamic_paths += range.parted(waves);
   }
 
  private:
-  /// How a path has started; those of one pixel, which the camera's states start, count as one.
-  struct Started {
-    CameraPath as;
-    std::size_t path;  // counts from 0 within the tile
-  };
-
   void start(const CameraPath& path) {
-    next_.push_back({.ray = path.ray,
-                     .throughput = path.throughput,
-                     .frames = path.frames,
-                     .eta_scale = path.eta_scale,
-                     .length = path.length,
-                     .from = path.from,
-                     .from_ng = path.from_ng,
-                     .pdf_w = path.pdf_w,
-                     .random = path.random,
-                     .start = static_cast<std::uint32_t>(started_.size()),
-                     .bounces = 0,
-                     .caught = path.caught});
-    started_.push_back({path, tile_.paths.paths});
-    parted_.resize(tile_.paths.paths + 1);
+    states_.push_back({.ray = path.ray,
+                       .throughput = path.throughput,
+                       .frames = path.frames,
+                       .eta_scale = path.eta_scale,
+                       .length = path.length,
+                       .from = path.from,
+                       .from_ng = path.from_ng,
+                       .pdf_w = path.pdf_w,
+                       .random = path.random,
+                       .start = static_cast<std::uint32_t>(states_.size()),
+                       .path = paths(),
+                       .bounces = 0,
+                       .caught = path.caught});
+    started_.push_back(path);
   }
 
-  void show(const WaveSight& sight) {
+  void show(const WaveSight& sight, const CameraPath& started) {
     const CameraState& state = sight.path;
-    CameraPath path = started_[state.start].as;
+    CameraPath path = started;
     path.ray = state.ray, path.throughput = state.throughput, path.frames = state.frames;
     path.bounces = state.bounces, path.eta_scale = state.eta_scale, path.length = state.length;
     path.from = state.from, path.from_ng = state.from_ng, path.pdf_w = state.pdf_w, path.caught = state.caught;
@@ -103,8 +81,8 @@ class WavesOfTile {
     });
   }
 
-  void keep(const WaveHitPoint& hit) {
-    CameraPath path = started_[hit.start].as;
+  void keep(const WaveHitPoint& hit, const CameraPath& started) {
+    CameraPath path = started;
     path.throughput = hit.throughput, path.frames = hit.frames, path.bounces = hit.bounces;
     path.length = hit.length, path.caught = hit.caught;
     const HitPointWriter::EndSurface surface{hit.point, hit.point.ns, hit.wo, hit.shape};
@@ -122,12 +100,8 @@ class WavesOfTile {
   HitPointTile& tile_;
   HitPointWriter out_;
   HitPointLight light_;
-  CameraWave wave_;
-  std::vector<Started> started_;
-  std::vector<bool> parted_;  // by path: it has met something that differs between frames
-  std::vector<CameraState> next_;
-  std::vector<WaveSight> sights_;
-  std::vector<WaveHitPoint> hit_points_;
+  std::vector<CameraState> states_;
+  std::vector<CameraPath> started_;
 };
 
 }  // namespace
@@ -146,15 +120,27 @@ std::string why_not_in_waves(const Scene& scene, const HitPointSettings& setting
   return averages ? "camera paths average textures over what they stand for" : "";
 }
 
-std::vector<HitPointTile> trace_hit_points_in_waves(const Scene& scene, const PlainScene& plain,
+std::vector<HitPointTile> trace_hit_points_in_waves(const Scene& scene, const PlainScene& plain, WaveTracer& tracer,
                                                     const RenderSettings& render, const HitPointSettings& settings,
-                                                    std::uint64_t iteration, std::vector<HitPointTile> reuse,
-                                                    std::uint64_t shuffle) {
-  return trace_tiles(scene, render, settings, std::move(reuse), 1, [&](HitPointTile& tile, const auto& pixels) {
-    WavesOfTile waves(scene, plain, render, settings, tile);
-    for (const auto& [x, y] : pixels) waves.start(x, y, iteration);
-    waves.trace(shuffle);
-  });
+                                                    std::uint64_t iteration, std::vector<HitPointTile> reuse) {
+  const CameraWave wave{settings.max_depth, settings.least_alpha, settings.keep_bsdf,
+                        may_hide_photons(scene, settings)};
+  reuse.resize(hit_point_tile_count(render.crop));
+  const auto make = [&](std::size_t t) {
+    reuse[t].start(*scene.palette);
+    auto tile = std::make_unique<TileOfWaves>(scene, plain, render, settings, reuse[t]);
+    for (const auto& [x, y] : pixels_of_hit_point_tile(render, settings, t)) tile->start(x, y, iteration);
+    return tile;
+  };
+  const std::size_t paths_of_tile = static_cast<std::size_t>(render.crop.count()) / reuse.size() + 1;
+  const std::size_t at_once = std::max<std::size_t>(1, tracer.paths_at_once() / paths_of_tile);
+  for (std::size_t t = 0; t < reuse.size(); t += at_once) {
+    PartsOfWaves<TileOfWaves, CameraState> parts(t, std::min(t + at_once, reuse.size()), make);
+    const CameraWaves waves = tracer.trace(wave, parts.starts(scene.frames()));
+    parts.for_each([&](TileOfWaves& tile, const PartRange& range) { tile.keep(waves, range); });
+    reuse[t].paths.segments += {waves.segments.done, waves.segments.separate};
+  }
+  return reuse;
 }
 
 }  // namespace dspm

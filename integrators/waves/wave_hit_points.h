@@ -9,7 +9,7 @@
 
 #include "dspm/integrators/integrator.h"
 #include "dspm/integrators/photons/trace_hit_points.h"
-#include "dspm/integrators/waves/plain_scene.h"
+#include "dspm/integrators/waves/wave_tracer.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {
@@ -19,10 +19,10 @@ namespace dspm {
 std::string why_not_in_waves(const Scene& scene, const HitPointSettings& settings);
 
 /// Does what trace_hit_points() does, for a scene and settings of which why_not_in_waves() says nothing; `plain` is the
-/// scene's. With a `shuffle`, the paths of each wave are taken in a random order of that seed, as a device may take them.
-std::vector<HitPointTile> trace_hit_points_in_waves(const Scene& scene, const PlainScene& plain,
+/// scene's, and `tracer` has it. What tiles have is the same, bit for bit, in the order of bounces; counts of rays are those of
+/// the whole.
+std::vector<HitPointTile> trace_hit_points_in_waves(const Scene& scene, const PlainScene& plain, WaveTracer& tracer,
                                                     const RenderSettings& render, const HitPointSettings& settings,
-                                                    std::uint64_t iteration, std::vector<HitPointTile> reuse,
-                                                    std::uint64_t shuffle = 0);
+                                                    std::uint64_t iteration, std::vector<HitPointTile> reuse);
 
 }  // namespace dspm

@@ -46,7 +46,7 @@ struct Choices {
   std::optional<std::uint64_t> seed;
   std::string noise;              // frozen or perframe; empty: what the scene says
   std::string colour;             // rgb or spectral; empty: what the scene says
-  std::string device;             // cpu or waves, see RenderSettings::in_waves; empty: cpu
+  std::string device;             // cpu, waves, gpu or auto, see Device; empty: cpu
   std::string integrator, accel;  // empty: what the scene says
   std::optional<int> iterations, photons, max_depth;
   double until_error = 0;                            // relative; 0: the number of iterations decides

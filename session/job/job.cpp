@@ -187,6 +187,23 @@ std::string noise_of(const Job& job, const SamplerSettings& sampler, const Choic
   return own != nullptr ? *own : sampler.noise;
 }
 
+Device device_of(const Choices& choices) {
+  if (choices.device == "waves") return Device::waves;
+  if (choices.device == "gpu") return Device::gpu;
+  return choices.device == "auto" ? Device::automatic : Device::cpu;
+}
+
+/// Says that the integrator knows the CPU only.
+void refuse_device(Job& job, Diagnostics& diagnostics) {
+  if (job.settings.device == Device::automatic)
+    diagnostics.note(job.where, fmt::format("the integrator {} renders on the CPU: --device auto has no effect",
+                                            job.integrator));
+  else
+    diagnostics.error(job.where, fmt::format("the integrator {} traces no photons in waves", job.integrator),
+                      "--device waves and --device gpu are for dsppm and sppm");
+  job.settings.device = Device::cpu;
+}
+
 }  // namespace
 
 std::string Job::frames_in_words() const {
@@ -251,12 +268,10 @@ Job make_job(const SceneDescription& description, const Choices& choices, Diagno
     diagnostics.note(
         description.film ? description.film->where : SourceLocation{},
         "the film's sensor responds to wavelengths, so it has no effect in RGB; --colour spectral has them");
-  settings.in_waves = choices.device == "waves";
+  settings.device = device_of(choices);
   settings.noise_per_frame = noise_of(job, sampler, choices) == "perframe";
   if (job.plugin != nullptr) {
-    if (settings.in_waves && !job.plugin->traces_waves)
-      diagnostics.error(job.where, fmt::format("the integrator {} traces no photons in waves", job.integrator),
-                        "--device waves is for dsppm and sppm");
+    if (settings.device != Device::cpu && !job.plugin->traces_waves) refuse_device(job, diagnostics);
     check_integrator(job, job.params, job.where, diagnostics);
     add_own_integrators(description, choices, job, diagnostics);
   }

@@ -12,9 +12,9 @@
 namespace dspm {
 
 std::unique_ptr<Integrator> make_dsppm(ParamReader& params, const Scene& scene, const RenderSettings& render) {
-  const ProgressiveSettings settings = read_progressive_settings(params, render);
+  ProgressiveSettings settings = read_progressive_settings(params, render);
   expect_photons_in_media(params, settings, scene);
-  expect_waves(params, settings, scene, render);
+  choose_device(params, settings, scene, render);
   return make_progressive(settings, scene, render, settings.kz11 ? shared_kz11() : shared_hj09());
 }
 

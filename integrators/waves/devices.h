@@ -1,0 +1,18 @@
+// The devices that trace waves.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "dspm/integrators/integrator.h"
+#include "dspm/integrators/waves/wave_tracer.h"
+
+namespace dspm {
+
+/// Returns why no GPU can be used, in words that follow "because"; empty: one can. What has an answer once keeps it.
+std::string why_no_gpu();
+
+/// Returns null for the CPU, and for what is there of a GPU if why_no_gpu() has a reason.
+std::unique_ptr<WaveTracer> tracer_on(Device device);
+
+}  // namespace dspm

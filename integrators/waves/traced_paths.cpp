@@ -1,0 +1,46 @@
+#include "dspm/integrators/waves/traced_paths.h"
+
+#include <utility>
+
+namespace dspm {
+
+std::vector<PhotonTrace> TracedPaths::photons(const Scene& scene, const PhotonSettings& settings,
+                                              std::uint64_t iteration, std::int64_t first, std::int64_t end,
+                                              std::vector<PhotonTrace> reuse) {
+  if (may_take_waves(scene, settings)) try {
+      load(scene);
+      return trace_photons_in_waves(scene, *tracer_, settings, iteration, first, end, reuse);
+    } catch (const MachineFailure& failure) {
+      leave_gpu(failure);
+    }
+  return trace_photons(scene, settings, iteration, first, end, std::move(reuse));
+}
+
+std::vector<HitPointTile> TracedPaths::hit_points(const Scene& scene, const RenderSettings& render,
+                                                  const HitPointSettings& settings, std::uint64_t iteration,
+                                                  std::vector<HitPointTile> reuse) {
+  if (may_take_waves(scene, settings)) try {
+      load(scene);
+      return trace_hit_points_in_waves(scene, plain_->scene(), *tracer_, render, settings, iteration, reuse);
+    } catch (const MachineFailure& failure) {
+      leave_gpu(failure);
+    }
+  return trace_hit_points(scene, render, settings, iteration, std::move(reuse));
+}
+
+// A scene whose shutter is open is not plain, so all iterations have one accelerator.
+void TracedPaths::load(const Scene& scene) {
+  if (accel_ == scene.accel.get() && palette_ == scene.palette) return;
+  accel_ = nullptr;
+  auto plain = std::make_unique<const PlainObjects>(scene);
+  tracer_->load(plain->scene());
+  plain_ = std::move(plain), accel_ = scene.accel.get(), palette_ = scene.palette;
+}
+
+void TracedPaths::leave_gpu(const MachineFailure& failure) {
+  if (!goes_on_) throw failure;
+  why_off_gpu_ = failure.what();
+  tracer_.reset(), plain_.reset(), accel_ = nullptr;
+}
+
+}  // namespace dspm

@@ -1,0 +1,57 @@
+// Traces the paths of iterations: one by one, or in waves if there is a tracer for these and if the scene and the settings
+// allow it. What paths leave is the same.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dspm/base/colour/palette.h"
+#include "dspm/integrators/integrator.h"
+#include "dspm/integrators/photons/trace_hit_points.h"
+#include "dspm/integrators/photons/trace_photons.h"
+#include "dspm/integrators/waves/devices.h"
+#include "dspm/integrators/waves/machine.h"
+#include "dspm/integrators/waves/plain_objects.h"
+#include "dspm/integrators/waves/wave_hit_points.h"
+#include "dspm/integrators/waves/wave_photons.h"
+#include "dspm/integrators/waves/wave_tracer.h"
+#include "dspm/world/scene/scene.h"
+
+namespace dspm {
+
+class TracedPaths {
+ public:
+  /// `goes_on`: if the device fails, the CPU traces what it has not; else MachineFailure is thrown.
+  TracedPaths(Device device, bool goes_on) : tracer_(tracer_on(device)), goes_on_(goes_on) {}
+
+  /// Does what trace_photons() does.
+  std::vector<PhotonTrace> photons(const Scene& scene, const PhotonSettings& settings, std::uint64_t iteration,
+                                   std::int64_t first, std::int64_t end, std::vector<PhotonTrace> reuse);
+  /// Does what trace_hit_points() does, for every pixel.
+  std::vector<HitPointTile> hit_points(const Scene& scene, const RenderSettings& render,
+                                       const HitPointSettings& settings, std::uint64_t iteration,
+                                       std::vector<HitPointTile> reuse);
+
+  /// Returns why paths have left the GPU; empty: they have not.
+  const std::string& why_off_gpu() const { return why_off_gpu_; }
+
+ private:
+  template <class Settings>
+  bool may_take_waves(const Scene& scene, const Settings& settings) const {
+    return tracer_ != nullptr && why_not_in_waves(scene, settings).empty();
+  }
+  /// Sees to it that the tracer has the scene, which is plain.
+  void load(const Scene& scene);
+  void leave_gpu(const MachineFailure& failure);
+
+  std::unique_ptr<WaveTracer> tracer_;  // null: one by one
+  bool goes_on_;
+  std::string why_off_gpu_;
+  std::unique_ptr<const PlainObjects> plain_;
+  const Accel* accel_ = nullptr;            // of the scene that is loaded
+  std::shared_ptr<const Palette> palette_;  // that its materials have
+};
+
+}  // namespace dspm
