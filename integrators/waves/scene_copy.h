@@ -82,7 +82,7 @@ class SceneCopy {
   /// Copies all arrays of `value`, and has it point to the copies; those of no elements become null.
   template <class T>
   void move_arrays(T& value) {
-    value.each_array([this](auto& array, std::size_t count) { array = copy_of(array, count); });
+    value.each_array([this](auto& array, std::size_t count) { array = this->copy_of(array, count); });
   }
 
   template <class T>

@@ -5,10 +5,18 @@
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <new>
 #include <set>
+#include <string>
+#include <typeindex>
+#include <utility>
+#include <vector>
 
 #include "dspm/image/png.h"
 #include "dspm/integrators/photons/trace_photons.h"
@@ -95,6 +103,13 @@ class Survey {
     visit_arrays(scene);
   }
 
+#if __has_builtin(__builtin_clear_padding)
+  static constexpr bool kKnowsGaps = true;
+#else
+  static constexpr bool kKnowsGaps = false;  // then addresses() is 0
+#endif
+
+  /// The number of arrays outside of the arena.
   std::size_t outside() const { return outside_; }
   /// The number of words that may be addresses elsewhere, whether an each_array() tells of them or not.
   std::size_t addresses() const { return addresses_; }
@@ -104,7 +119,7 @@ class Survey {
   template <class T>
   void visit_arrays(T& value) {
     value.each_array([this](auto& array, std::size_t count) {
-      if (array != nullptr && count > 0) visit(array, count);
+      if (array != nullptr && count > 0) this->visit(array, count);
     });
   }
 
@@ -127,7 +142,7 @@ class Survey {
     static_assert(!HasArrays<PlainShape>, "shapes have arrays now, which those who hold shapes forget");
     if constexpr (std::is_same_v<T, TrianglePacket>) return;
     if constexpr (requires { value.of_kind(IgnoreKind()); }) {
-      value.of_kind([this](auto& kind) { look_at(kind); });
+      value.of_kind([this](auto& kind) { this->look_at(kind); });
     } else {
       if constexpr (requires { value.shape.bounds(); })
         std::memset(static_cast<void*>(&value.shape), 0, sizeof value.shape);
@@ -183,9 +198,9 @@ ObjectBegin "bush"
     for (const char* material :
          {R"("diffuse" "texture reflectance" "worn")",
           R"("conductor" "texture reflectance" "board" "texture roughness" "holes")",
-          R"("conductor" "float uroughness" .4 "texture vroughness" "peel")", R"("dielectric" "float roughness" .2)",
-          R"("dielectric" "texture roughness" "holes")", R"("dielectric" "float uroughness" .3 "float vroughness" .1)",
-          R"("thindielectric" "texture tint" "faded")"})
+          R"("conductor" "texture eta" "leaf" "texture k" "worn" "float uroughness" .4 "texture vroughness" "peel")",
+          R"("dielectric" "float roughness" .2)", R"("dielectric" "texture roughness" "holes")",
+          R"("dielectric" "float uroughness" .3 "float vroughness" .1)", R"("thindielectric" "texture tint" "faded")"})
       s += fmt::format("Material {}\nTranslate .05 .1 .05\n{}", material,
                        R"(Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point2 uv" [0 0 1 0 1 1 0 1]
   "point3 P" [-.5 -.5 0  .5 -.5 0  .5 .5 .1  -.5 .5 0] "normal3 N" [0 .3 1  .2 0 1  0 -.2 1  -.1 0 1]
@@ -226,7 +241,7 @@ TEST(SceneCopy, PointsIntoItsMemoryOnly) {
       EXPECT_EQ(survey.addresses(), 0u);
       EXPECT_EQ(survey.types(), original.types());
       EXPECT_GT(original.outside(), 10u);
-      EXPECT_GT(original.addresses(), 10u);
+      EXPECT_TRUE(original.addresses() > 10 || !Survey::kKnowsGaps);
       types.insert(survey.types().begin(), survey.types().end());
       of_frames += copy.scene().query.of_frame != nullptr;
       EXPECT_GT(arena.pieces(), 0);
