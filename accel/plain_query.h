@@ -2,6 +2,8 @@
 // A device has no room for a nearest distance per frame, so it looks for each frame by itself.
 #pragma once
 
+#include <cstddef>
+
 #include "dspm/accel/nearest_hit.h"
 #include "dspm/accel/plain_tree.h"
 #include "dspm/accel/ray_hit.h"
@@ -15,6 +17,15 @@ struct PlainQuery {
   PlainTree moving;                     // all that is not the same in all frames
   const PlainTree* of_frame = nullptr;  // the same frame by frame; null: there are no such trees
   float margins = 1;                    // the most that one of the trees needs
+  std::size_t frame_count = 0;          // that have trees
+
+  /// See scene_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    still.each_array(fn);
+    moving.each_array(fn);
+    fn(of_frame, frame_count);
+  }
 
   /// Returns what Accel::partition() returns.
   constexpr HitPartition partition(const Ray& r, FrameSet frames) const {

@@ -2,7 +2,9 @@
 // instead of side by side. Answers are those of Tree, bit for bit, and depend on no order.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "dspm/accel/box_ray.h"
 #include "dspm/accel/bvh.h"
@@ -29,6 +31,12 @@ struct PlainTree {
     int number = 0;                   // of the shape, among all placed shapes
     const PlainTree* mesh = nullptr;  // null: it is `shape`
     PlainShape shape = {};
+
+    /// See scene_copy.h.
+    template <class Fn>
+    constexpr void each_array(Fn&& fn) {
+      fn(mesh, 1);
+    }
   };
 
   const Bvh::Node* nodes = nullptr;
@@ -38,8 +46,18 @@ struct PlainTree {
   const FrameSet* frames = nullptr;  // by shape
   std::uint32_t root = 0;
   float margins = 1;  // see Tree::margins()
+  std::size_t node_count = 0, packet_count = 0, placed_count = 0, shape_count = 0;
 
   constexpr bool empty() const { return nodes == nullptr; }
+  /// See scene_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    fn(nodes, node_count);
+    fn(node_frames, node_count);
+    fn(packets, packet_count);
+    fn(placed, placed_count);
+    fn(frames, shape_count);
+  }
 };
 
 /// Returns bits of the children of `node` that the ray enters within `limit`, and sets the distances at which it does.

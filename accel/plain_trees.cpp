@@ -19,7 +19,7 @@ PlainTrees::PlainTrees(const TwoLevel& trees) {
   query_.still = plain(trees.static_tree());
   query_.moving = plain(trees.dynamic_tree());
   for (const Tree& tree : trees.trees_of_frames()) of_frame_.push_back(plain(tree));
-  if (!of_frame_.empty()) query_.of_frame = of_frame_.data();
+  if (!of_frame_.empty()) query_.of_frame = of_frame_.data(), query_.frame_count = of_frame_.size();
   query_.margins = std::max(query_.still.margins, query_.moving.margins);
 }
 
@@ -41,7 +41,11 @@ PlainTree PlainTrees::plain(const Tree& tree) {
           .placed = placed.data(),
           .frames = tree.frames_.data(),
           .root = tree.bvh_.root,
-          .margins = tree.margins_};
+          .margins = tree.margins_,
+          .node_count = tree.bvh_.nodes.size(),
+          .packet_count = tree.packets_.size(),
+          .placed_count = placed.size(),
+          .shape_count = tree.frames_.size()};
 }
 
 const PlainTree* PlainTrees::mesh(const Tree& tree) {

@@ -131,6 +131,14 @@ struct PlainConductor {
   PlainMetal metal;
   MetalTables tables;
 
+  /// See scene_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    roughness.each_array(fn);
+    metal.each_array(fn);
+    tables.each_array(fn);
+  }
+
   template <class Fn>
   constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const Fn& fn) const {
     const ShadingFrame frame(point);

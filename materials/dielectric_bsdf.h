@@ -66,6 +66,13 @@ class SmoothDielectric final : public PlainBsdf {
 struct GlassTables {
   const BoundaryTables* even = nullptr;   // null: what meets a second facet is lost
   const BrushedGlass* brushed = nullptr;  // null: all facets are equally rough in both directions
+
+  /// See scene_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    fn(even, 1);
+    fn(brushed, 1);
+  }
 };
 
 class RoughDielectric final : public PlainBsdf {
@@ -213,6 +220,13 @@ struct PlainDielectric {
   float share;  // of the roughness that counts
   Refraction refraction;
   GlassTables tables;
+
+  /// See scene_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    roughness.each_array(fn);
+    tables.each_array(fn);
+  }
 
   template <class Fn>
   constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const Fn& fn) const {

@@ -55,6 +55,12 @@ class Diffuse final : public PlainBsdf {
 struct PlainDiffuse {
   PlainValue<Rgb> reflectance;
 
+  /// See scene_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    reflectance.each_array(fn);
+  }
+
   template <class Fn>
   constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const Fn& fn) const {
     return fn(Diffuse(point.ng, point.ns, clamped_albedo(reflectance.at(place_of(point))) / kPi));

@@ -12,6 +12,13 @@ const BrushedAlbedo& brushed_metal();
 struct MetalTables {
   const AlbedoTable* even = nullptr;
   const BrushedAlbedo* brushed = nullptr;  // null: all facets are equally rough in both directions
+
+  /// See scene_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    fn(even, 1);
+    fn(brushed, 1);
+  }
 };
 
 }  // namespace dspm

@@ -34,6 +34,23 @@ class PlainMaterial {
   /// see something else than with_bsdf() gives.
   constexpr bool averages() const { return kind_ == Kind::diffuse && diffuse_.reflectance.varies(); }
 
+  /// Calls fn(Plain...&) with what it is.
+  template <class Fn>
+  constexpr void of_kind(Fn&& fn) {
+    switch (kind_) {
+      case Kind::diffuse: return fn(diffuse_);
+      case Kind::dielectric: return fn(dielectric_);
+      case Kind::conductor: return fn(conductor_);
+      case Kind::thin_dielectric: break;
+    }
+    fn(thin_dielectric_);
+  }
+  /// See scene_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    of_kind([&](auto& kind) { kind.each_array(fn); });
+  }
+
  private:
   Kind kind_;
   union {

@@ -21,6 +21,13 @@ struct PlainRoughness {
   PlainValue<float> u, v;
   bool remap = false;
 
+  /// See scene_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    u.each_array(fn);
+    v.each_array(fn);
+  }
+
   /// Returns GGX alpha along the tangent and across it.
   constexpr Vec2 alpha(const PlainPlace& place) const {
     const Vec2 roughness{u.at(place), v.at(place)};
@@ -31,6 +38,13 @@ struct PlainRoughness {
 struct PlainMetal {
   bool by_reflectance = false;  // at normal incidence; there is no k then
   PlainValue<Rgb> eta_or_reflectance, k;
+
+  /// See scene_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    eta_or_reflectance.each_array(fn);
+    k.each_array(fn);
+  }
 
   constexpr MetalIndex index(const PlainPlace& place) const {
     const Spectrum value = eta_or_reflectance.at(place);

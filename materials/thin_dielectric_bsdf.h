@@ -80,6 +80,12 @@ struct PlainThinDielectric {
   float eta;
   PlainValue<Rgb> tint;
 
+  /// See scene_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    tint.each_array(fn);
+  }
+
   template <class Fn>
   constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const Fn& fn) const {
     return fn(ThinDielectric(ShadingFrame(point), eta, clamped_albedo(tint.at(place_of(point)))));

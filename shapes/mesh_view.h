@@ -29,6 +29,17 @@ struct MeshView {
   const Vec3* normals = nullptr;  // unit length, or zero
   const Vec2* uvs = nullptr;
   const Vec3* tangents = nullptr;  // along u, of any length
+  std::size_t vertex_count = 0, face_count = 0;
+
+  /// See scene_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    fn(vertices, vertex_count);
+    fn(faces, face_count);
+    fn(normals, vertex_count);
+    fn(uvs, vertex_count);
+    fn(tangents, vertex_count);
+  }
 
   constexpr std::size_t index(int face, int corner) const {
     return static_cast<std::size_t>(faces[face][static_cast<std::size_t>(corner)]);

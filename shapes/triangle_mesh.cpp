@@ -99,7 +99,9 @@ MeshView TriangleMesh::view() const {
           .faces = data_.faces.data(),
           .normals = array(data_.normals),
           .uvs = array(data_.uvs),
-          .tangents = array(data_.tangents)};
+          .tangents = array(data_.tangents),
+          .vertex_count = data_.vertices.size(),
+          .face_count = data_.faces.size()};
 }
 
 SurfacePoint TriangleMesh::surface_point(int primitive, Vec2 uv) const {

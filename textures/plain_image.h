@@ -29,6 +29,14 @@ struct PlainImage {
   Channel channel = Channel::usual;
   bool blends = true;  // four pixels; false: takes one
 
+  /// See scene_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    fn(pixels, count);
+    fn(alpha, count);
+  }
+
   /// Returns the value at a point; (0, 0) is the picture's upper left corner.
   template <class T>
   constexpr T at(Vec2 st) const {

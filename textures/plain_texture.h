@@ -37,6 +37,12 @@ struct PlainImagemap {
   PlainMapping mapping;
   PictureTone tone;
 
+  /// See scene_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    image.each_array(fn);
+  }
+
   constexpr T at(const PlainPlace& place) const {
     const Vec2 st = mapping.at(place);
     return tone.of(image.at<T>({st.x, 1 - st.y}));
@@ -54,6 +60,13 @@ struct PlainCheckerboard {
   const PlainTexture<T>*first, *second;
   bool cubes;
   PlainMapping mapping;
+
+  /// See scene_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    fn(first, 1);
+    fn(second, 1);
+  }
 
   constexpr T at(const PlainPlace& place) const { return (sign(place) > 0 ? first : second)->at(place); }
 
@@ -87,6 +100,13 @@ template <class T>
 struct PlainDots {
   const PlainTexture<T>*inside, *around;
   PlainMapping mapping;
+
+  /// See scene_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    fn(inside, 1);
+    fn(around, 1);
+  }
 
   constexpr T at(const PlainPlace& place) const {
     return (dots::contain(mapping.at(place)) ? inside : around)->at(place);
@@ -136,6 +156,13 @@ struct PlainScale {
   const PlainTexture<T>* texture;
   const PlainTexture<float>* scale;
 
+  /// See scene_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    fn(texture, 1);
+    fn(scale, 1);
+  }
+
   constexpr T at(const PlainPlace& place) const;
 };
 
@@ -149,6 +176,14 @@ template <class T>
 struct PlainMix {
   const PlainTexture<T>*first, *second;
   const PlainTexture<float>* amount;
+
+  /// See scene_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    fn(first, 1);
+    fn(second, 1);
+    fn(amount, 1);
+  }
 
   constexpr T at(const PlainPlace& place) const;
 };
@@ -193,6 +228,29 @@ class PlainTexture {
   /// The number of textures, one within the other, up to this one; above kMaxDepth also if a part is null. It may then
   /// not be looked up.
   constexpr int depth() const { return depth_; }
+
+  /// Calls fn(Plain...&) with what it is.
+  template <class Fn>
+  constexpr void of_kind(Fn&& fn) {
+    switch (kind_) {
+      case Kind::constant: return fn(constant_);
+      case Kind::imagemap: return fn(imagemap_);
+      case Kind::checkerboard: return fn(checkerboard_);
+      case Kind::dots: return fn(dots_);
+      case Kind::bilerp: return fn(bilerp_);
+      case Kind::noise: return fn(noise_);
+      case Kind::scale: return fn(scale_);
+      case Kind::mix: break;
+    }
+    fn(mix_);
+  }
+  /// See scene_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    of_kind([&](auto& kind) {
+      if constexpr (requires { kind.each_array(fn); }) kind.each_array(fn);
+    });
+  }
 
  private:
   template <class... Parts>

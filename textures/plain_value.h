@@ -18,6 +18,12 @@ struct PlainValue {
   Carried everywhere{};                      // if there is no texture
   const PlainTexture<T>* texture = nullptr;  // for paths in RGB; must outlive this
 
+  /// See scene_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    fn(texture, 1);
+  }
+
   constexpr bool varies() const { return texture != nullptr; }
   constexpr Carried at(const PlainPlace& place) const {
     if (texture == nullptr) return everywhere;

@@ -64,7 +64,7 @@ PlainObjects::PlainObjects(const Scene& scene) : trees_(dynamic_cast<const TwoLe
     constexpr PlainDiffuse kUnused{};  // no shape is made of it, or the scene would not be plain
     materials_.push_back(state == nullptr ? kUnused : state->plain(*scene.palette).value_or(kUnused));
   }
-  plain_ = {trees_.query(), shapes_.data(), materials_.data()};
+  plain_ = {trees_.query(), shapes_.data(), materials_.data(), shapes_.size(), materials_.size()};
 }
 
 }  // namespace dspm

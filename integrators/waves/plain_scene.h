@@ -26,6 +26,12 @@ struct PlainPlacedShape {
   bool emits = false, catches_shadows = false;
   int material = 0;
 
+  /// See scene_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    mesh.each_array(fn);
+  }
+
   /// Returns what PlacedShape::surface_point() returns.
   constexpr SurfaceGeometry surface_point(int primitive, Vec2 uv) const {
     SurfaceGeometry point =
@@ -40,6 +46,15 @@ struct PlainScene {
   PlainQuery query;
   const PlainPlacedShape* shapes = nullptr;
   const PlainMaterial* materials = nullptr;
+  std::size_t shape_count = 0, material_count = 0;
+
+  /// See scene_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    query.each_array(fn);
+    fn(shapes, shape_count);
+    fn(materials, material_count);
+  }
 
   constexpr const PlainPlacedShape& shape_of(const RayHit& hit) const { return shapes[hit.shape]; }
 };
