@@ -29,7 +29,7 @@ class WaveTracerOn final : public WaveTracer {
   void load(const PlainScene& scene) override {
     copy_.reset();
     scene_ = scene;
-    if constexpr (Machine::kOwnMemory) scene_ = copy_.emplace(machine_, scene).scene();
+    if constexpr (Machine::kOwnMemory) scene_ = copy_.emplace(scene, machine_).scene();
   }
 
   PhotonWaves trace(const PhotonWave& wave, const WaveStarts<PhotonState>& starts) override {

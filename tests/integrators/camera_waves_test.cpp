@@ -15,6 +15,7 @@
 #include "dspm/testing/test_scene.h"
 #include "tests/integrators/digits.h"
 #include "tests/integrators/plain_random_scene.h"
+#include "tests/integrators/tracers.h"
 
 namespace dspm::test {
 namespace camera_waves_test {
@@ -70,15 +71,20 @@ ByPixel by_pixel(const std::vector<HitPointTile>& tiles, std::vector<Item> HitPo
   return all;
 }
 
+std::pair<std::uint64_t, std::uint64_t> segments_of(const std::vector<HitPointTile>& tiles) {
+  SharedCount sum;
+  for (const HitPointTile& tile : tiles) sum += tile.paths.segments;
+  return {sum.done, sum.separate};
+}
+
 void expect_equal(const std::vector<HitPointTile>& a, const std::vector<HitPointTile>& b) {
   EXPECT_EQ(by_pixel(a, &HitPointTile::hit_points), by_pixel(b, &HitPointTile::hit_points));
   EXPECT_EQ(by_pixel(a, &HitPointTile::glossy), by_pixel(b, &HitPointTile::glossy));
   EXPECT_EQ(by_pixel(a, &HitPointTile::seen), by_pixel(b, &HitPointTile::seen));
+  EXPECT_EQ(segments_of(a), segments_of(b));
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t t = 0; t < a.size(); ++t) {
     const PathCounts &x = a[t].paths, &y = b[t].paths;
-    EXPECT_EQ(x.segments.done, y.segments.done);
-    EXPECT_EQ(x.segments.separate, y.segments.separate);
     EXPECT_EQ(x.paths, y.paths);
     EXPECT_EQ(x.dynamic_paths, y.dynamic_paths);
     EXPECT_EQ(x.shadow_rays, y.shadow_rays);
@@ -123,8 +129,9 @@ TEST(CameraWaves, LeaveWhatPathsOneByOneLeave) {
     ASSERT_EQ(why_not_in_waves(*scene, settings), "");
     const PlainObjects plain(*scene);
     const auto one_by_one = trace_hit_points(*scene, render, settings, seed, {});
-    for (const std::uint64_t shuffle : {0, 7}) {
-      const auto waves = trace_hit_points_in_waves(*scene, plain.scene(), render, settings, seed, {}, shuffle);
+    for (const auto& tracer : Tracers(*scene)) {
+      SCOPED_TRACE(tracer->name());
+      const auto waves = trace_hit_points_in_waves(*scene, plain.scene(), *tracer, render, settings, seed, {});
       expect_equal(one_by_one, waves);
       for (const HitPointTile& tile : waves) found.add(tile);
     }

@@ -21,7 +21,9 @@
 #include "dspm/image/png.h"
 #include "dspm/integrators/photons/trace_photons.h"
 #include "dspm/integrators/waves/plain_objects.h"
+#include "dspm/integrators/waves/threads_machine.h"
 #include "dspm/integrators/waves/wave_photons.h"
+#include "dspm/integrators/waves/wave_tracer_on.h"
 #include "dspm/testing/test_scene.h"
 #include "tests/integrators/digits.h"
 #include "tests/integrators/plain_random_scene.h"
@@ -279,7 +281,9 @@ TEST(SceneCopy, LeavesLightItsWays) {
     settings.seed = seed, settings.max_depth = 6, settings.paths_per_trace = 512;
     ASSERT_EQ(why_not_in_waves(*scene, settings), "");
     const auto photons_in = [&](const PlainScene& plain) {
-      return in_words(trace_photons_in_waves(*scene, plain, settings, 3, 100, 2100, {}));
+      WaveTracerOn<ThreadsMachine> tracer;
+      tracer.load(plain);
+      return in_words(trace_photons_in_waves(*scene, tracer, settings, 3, 100, 2100, {}));
     };
     const PlainObjects plain(*scene);
     Arena arena;

@@ -7,12 +7,12 @@
 #include "dspm/base/math/moments.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/integrators/photons/trace_photons.h"
-#include "dspm/integrators/waves/plain_objects.h"
 #include "dspm/integrators/waves/wave_photons.h"
 #include "dspm/session/job/choices.h"
 #include "dspm/testing/test_scene.h"
 #include "tests/integrators/digits.h"
 #include "tests/integrators/plain_random_scene.h"
+#include "tests/integrators/tracers.h"
 
 namespace dspm::test {
 namespace waves_test {
@@ -53,10 +53,10 @@ TEST(Waves, LeaveThePhotonsOfPathsOneByOne) {
     if (seed % 3 == 1) settings.kinds = kCausticPhotons | kDiffusePhotons;
     if (seed % 3 == 2) settings.rays_tell = true;
     ASSERT_EQ(why_not_in_waves(*scene, settings), "");
-    const PlainObjects plain(*scene);
     const auto one_by_one = trace_photons(*scene, settings, 3, 100, 2100, {});
-    for (const std::uint64_t shuffle : {0, 7}) {
-      const auto waves = trace_photons_in_waves(*scene, plain.scene(), settings, 3, 100, 2100, {}, shuffle);
+    for (const auto& tracer : Tracers(*scene)) {
+      SCOPED_TRACE(tracer->name());
+      const auto waves = trace_photons_in_waves(*scene, *tracer, settings, 3, 100, 2100, {});
       for (Frame f = 0; f < kFrames; ++f) {
         EXPECT_EQ(of_frame(one_by_one, &PhotonTrace::photons, f), of_frame(waves, &PhotonTrace::photons, f)) << f;
         EXPECT_EQ(of_frame(one_by_one, &PhotonTrace::hidden, f), of_frame(waves, &PhotonTrace::hidden, f)) << f;

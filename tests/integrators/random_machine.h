@@ -1,0 +1,60 @@
+// A machine for waves that does everything in a random order, in a memory of its own: what depends on an order, or on what
+// memory holds at first, shows.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <new>
+#include <numeric>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace dspm::test {
+
+class RandomMachine {
+ public:
+  static constexpr bool kOwnMemory = true;
+
+  RandomMachine(std::uint64_t seed, std::size_t paths_at_once) : random_(seed), paths_at_once_(paths_at_once) {}
+
+  void* allocate(std::size_t bytes) {
+    void* const memory = ::operator new(bytes, kAlignment);
+    std::memset(memory, 0xa5, bytes);
+    return memory;
+  }
+  void free(void* memory) { ::operator delete(memory, kAlignment); }
+  void copy_in(void* to, const void* from, std::size_t bytes) { std::memcpy(to, from, bytes); }
+  void copy_out(void* to, const void* from, std::size_t bytes) { std::memcpy(to, from, bytes); }
+  void copy(void* to, const void* from, std::size_t bytes) { std::memcpy(to, from, bytes); }
+  void clear(void* to, std::size_t bytes) { std::memset(to, 0, bytes); }
+
+  template <class Fn>
+  void for_each(std::size_t count, const Fn& fn) {
+    std::vector<std::size_t> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+    std::ranges::shuffle(numbers, random_);
+    for (const std::size_t i : numbers) fn(i);
+  }
+
+  void sort(std::uint64_t* keys, std::uint32_t* order, std::size_t count) {
+    std::iota(order, order + count, 0u);
+    std::sort(order, order + count, [&](std::uint32_t a, std::uint32_t b) { return keys[a] < keys[b]; });
+    std::sort(keys, keys + count);
+    if (std::adjacent_find(keys, keys + count) != keys + count) throw std::logic_error("two have the same order");
+  }
+
+  std::size_t paths_at_once() const { return paths_at_once_; }
+  std::string name() const { return "a random machine"; }
+
+ private:
+  static constexpr std::align_val_t kAlignment{256};
+
+  std::mt19937_64 random_;
+  std::size_t paths_at_once_;
+};
+
+}  // namespace dspm::test
