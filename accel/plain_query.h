@@ -19,7 +19,7 @@ struct PlainQuery {
   float margins = 1;                    // the most that one of the trees needs
   std::size_t frame_count = 0;          // that have trees
 
-  /// See scene_copy.h.
+  /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     still.each_array(fn);

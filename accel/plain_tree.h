@@ -32,7 +32,7 @@ struct PlainTree {
     const PlainTree* mesh = nullptr;  // null: it is `shape`
     PlainShape shape = {};
 
-    /// See scene_copy.h.
+    /// See plain_copy.h.
     template <class Fn>
     constexpr void each_array(Fn&& fn) {
       fn(mesh, 1);
@@ -49,7 +49,7 @@ struct PlainTree {
   std::size_t node_count = 0, packet_count = 0, placed_count = 0, shape_count = 0;
 
   constexpr bool empty() const { return nodes == nullptr; }
-  /// See scene_copy.h.
+  /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     fn(nodes, node_count);

@@ -131,7 +131,7 @@ struct PlainConductor {
   PlainMetal metal;
   MetalTables tables;
 
-  /// See scene_copy.h.
+  /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     roughness.each_array(fn);

@@ -67,7 +67,7 @@ struct GlassTables {
   const BoundaryTables* even = nullptr;   // null: what meets a second facet is lost
   const BrushedGlass* brushed = nullptr;  // null: all facets are equally rough in both directions
 
-  /// See scene_copy.h.
+  /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     fn(even, 1);
@@ -221,7 +221,7 @@ struct PlainDielectric {
   Refraction refraction;
   GlassTables tables;
 
-  /// See scene_copy.h.
+  /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     roughness.each_array(fn);

@@ -55,7 +55,7 @@ class Diffuse final : public PlainBsdf {
 struct PlainDiffuse {
   PlainValue<Rgb> reflectance;
 
-  /// See scene_copy.h.
+  /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     reflectance.each_array(fn);

@@ -13,7 +13,7 @@ struct MetalTables {
   const AlbedoTable* even = nullptr;
   const BrushedAlbedo* brushed = nullptr;  // null: all facets are equally rough in both directions
 
-  /// See scene_copy.h.
+  /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     fn(even, 1);

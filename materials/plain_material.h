@@ -45,7 +45,7 @@ class PlainMaterial {
     }
     fn(thin_dielectric_);
   }
-  /// See scene_copy.h.
+  /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     of_kind([&](auto& kind) { kind.each_array(fn); });

@@ -21,7 +21,7 @@ struct PlainRoughness {
   PlainValue<float> u, v;
   bool remap = false;
 
-  /// See scene_copy.h.
+  /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     u.each_array(fn);
@@ -39,7 +39,7 @@ struct PlainMetal {
   bool by_reflectance = false;  // at normal incidence; there is no k then
   PlainValue<Rgb> eta_or_reflectance, k;
 
-  /// See scene_copy.h.
+  /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     eta_or_reflectance.each_array(fn);

@@ -80,7 +80,7 @@ struct PlainThinDielectric {
   float eta;
   PlainValue<Rgb> tint;
 
-  /// See scene_copy.h.
+  /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     tint.each_array(fn);

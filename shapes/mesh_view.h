@@ -31,7 +31,7 @@ struct MeshView {
   const Vec3* tangents = nullptr;  // along u, of any length
   std::size_t vertex_count = 0, face_count = 0;
 
-  /// See scene_copy.h.
+  /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     fn(vertices, vertex_count);

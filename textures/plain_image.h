@@ -29,7 +29,7 @@ struct PlainImage {
   Channel channel = Channel::usual;
   bool blends = true;  // four pixels; false: takes one
 
-  /// See scene_copy.h.
+  /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);

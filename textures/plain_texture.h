@@ -37,7 +37,7 @@ struct PlainImagemap {
   PlainMapping mapping;
   PictureTone tone;
 
-  /// See scene_copy.h.
+  /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     image.each_array(fn);
@@ -61,7 +61,7 @@ struct PlainCheckerboard {
   bool cubes;
   PlainMapping mapping;
 
-  /// See scene_copy.h.
+  /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     fn(first, 1);
@@ -101,7 +101,7 @@ struct PlainDots {
   const PlainTexture<T>*inside, *around;
   PlainMapping mapping;
 
-  /// See scene_copy.h.
+  /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     fn(inside, 1);
@@ -156,7 +156,7 @@ struct PlainScale {
   const PlainTexture<T>* texture;
   const PlainTexture<float>* scale;
 
-  /// See scene_copy.h.
+  /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     fn(texture, 1);
@@ -177,7 +177,7 @@ struct PlainMix {
   const PlainTexture<T>*first, *second;
   const PlainTexture<float>* amount;
 
-  /// See scene_copy.h.
+  /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     fn(first, 1);
@@ -244,7 +244,7 @@ class PlainTexture {
     }
     fn(mix_);
   }
-  /// See scene_copy.h.
+  /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     of_kind([&](auto& kind) {

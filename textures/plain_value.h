@@ -18,7 +18,7 @@ struct PlainValue {
   Carried everywhere{};                      // if there is no texture
   const PlainTexture<T>* texture = nullptr;  // for paths in RGB; must outlive this
 
-  /// See scene_copy.h.
+  /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     fn(texture, 1);

@@ -18,9 +18,6 @@ std::int64_t grain(std::int64_t points) {
   return std::clamp(points / kChunks, kLeast, kMost);
 }
 
-/// Truncates to at least 0; NaN, which huge coordinates can cause, becomes 0.
-int truncated(float v, float most) { return static_cast<int>(std::min(std::max(0.f, v), most)); }
-
 int cells_along(float extent, float cell) { return truncated(extent / cell, 1e6f) + 1; }
 
 /// Widens the cells until there are at most `most` of them.
@@ -34,12 +31,6 @@ float affordable_cell(const Vec3& extent, float cell, double most) {
 }
 
 }  // namespace
-
-PointGrid::Cell PointGrid::cell_of(const Vec3& p) const {
-  const Vec3 c = (p - bounds_.low) * inverse_cell_;
-  const auto along = [](float v, int n) { return truncated(v, static_cast<float>(n - 1)); };
-  return {along(c.x, nx_), along(c.y, ny_), along(c.z, nz_)};
-}
 
 void PointGrid::build(std::span<const Vec3> points, float cell_size) {
   if (points.size() > kMostPoints)
@@ -70,14 +61,15 @@ void PointGrid::choose_cells(std::span<const Vec3> points, float cell_size) {
   parallel_for(count, at_once, [&](std::int64_t i) {
     bounds[static_cast<std::size_t>(i / at_once)].add(points[static_cast<std::size_t>(i)]);
   });
-  bounds_ = {};
-  for (const Bounds3& b : bounds) bounds_.add(b);
+  cells_.bounds = {};
+  for (const Bounds3& b : bounds) cells_.bounds.add(b);
 
-  const Vec3 extent = bounds_.extent();
+  const Vec3 extent = cells_.bounds.extent();
   const float cell = affordable_cell(extent, cell_size, static_cast<double>(most_cells(points.size())));
-  inverse_cell_ = 1 / cell;
-  nx_ = cells_along(extent.x, cell), ny_ = cells_along(extent.y, cell), nz_ = cells_along(extent.z, cell);
-  const std::size_t cells = index_of(nx_ - 1, ny_ - 1, nz_ - 1) + 1;
+  cells_.inverse_cell = 1 / cell;
+  cells_.nx = cells_along(extent.x, cell), cells_.ny = cells_along(extent.y, cell);
+  cells_.nz = cells_along(extent.z, cell);
+  const std::size_t cells = cells_.index_of(cells_.nx - 1, cells_.ny - 1, cells_.nz - 1) + 1;
   begin_.refit(cells + 1);
   begin_.back() = static_cast<std::uint32_t>(count);
   bucket_shift_ = std::max(0, static_cast<int>(std::bit_width(cells - 1)) - kBucketBits);
@@ -87,8 +79,8 @@ PointGrid::BucketBegins PointGrid::sort_into_buckets(std::span<const Vec3> point
   const auto count = static_cast<std::int64_t>(points.size()), at_once = grain(count);
   const auto for_each_point = [&](const auto& fn) {
     parallel_for(count, at_once, [&](std::int64_t i) {
-      const Cell c = cell_of(points[static_cast<std::size_t>(i)]);
-      const auto cell = static_cast<std::uint32_t>(index_of(c.x, c.y, c.z));
+      const GridCells::Cell c = cells_.cell_of(points[static_cast<std::size_t>(i)]);
+      const auto cell = static_cast<std::uint32_t>(cells_.index_of(c.x, c.y, c.z));
       fn(static_cast<std::size_t>(i / at_once), cell >> bucket_shift_, Sorted{cell, static_cast<std::uint32_t>(i)});
     });
   };

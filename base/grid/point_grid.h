@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "dspm/base/grid/buffer.h"
+#include "dspm/base/grid/grid_cells.h"
 #include "dspm/base/grid/points_within.h"
 #include "dspm/base/math/vec.h"
 
@@ -32,6 +33,10 @@ class PointGrid {
   /// Place i of the sorted order holds point order()[i].
   std::span<const std::uint32_t> order() const { return order_; }
   std::size_t bytes() const;
+  /// Returns the same grid for a device; this must outlive it, and be built no more.
+  PlainGrid plain() const {
+    return {cells_, begin_.data(), x_.data(), y_.data(), z_.data(), begin_.size() - 1, order_.size()};
+  }
 
   /// Calls fn(i, distance squared) for every place i of the sorted order whose squared distance from p, as computed
   /// here, is at most `radius2`: which points those are depends neither on the cells nor on the other points. Calls
@@ -40,16 +45,6 @@ class PointGrid {
   std::uint64_t for_each_within(const Vec3& p, float radius2, Fn&& fn) const;
 
  private:
-  struct Cell {
-    int x, y, z;
-  };
-  Cell cell_of(const Vec3& p) const;  // clamped into the grid
-  std::size_t index_of(int x, int y, int z) const {
-    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(ny_) + static_cast<std::size_t>(y)) *
-               static_cast<std::size_t>(nx_) +
-           static_cast<std::size_t>(x);
-  }
-
   // Cells are sorted in two steps, both parallel: consecutive cells form a bucket.
   static constexpr int kBucketBits = 8;
   static constexpr std::size_t kBuckets = 1 << kBucketBits;
@@ -61,9 +56,7 @@ class PointGrid {
   BucketBegins sort_into_buckets(std::span<const Vec3> points);
   void sort_bucket(std::size_t bucket, std::uint32_t begin, std::uint32_t end);
 
-  Bounds3 bounds_;
-  float inverse_cell_ = 1;
-  int nx_ = 0, ny_ = 0, nz_ = 0;
+  GridCells cells_;
   Buffer<std::uint32_t> begin_;  // of each cell in the sorted order, and one past the last
   int bucket_shift_ = 0;
   Buffer<Sorted> by_bucket_;
@@ -74,24 +67,15 @@ class PointGrid {
 template <class Fn>
 std::uint64_t PointGrid::for_each_within(const Vec3& p, float radius2, Fn&& fn) const {
   if (order_.empty()) return 0;
-  // Rounded outward, so that no cell is skipped whose points would pass the distance test.
-  const float radius = std::sqrt(radius2) * (1 + 0x1p-20f);
-  const Vec3 reach = Vec3{radius, radius, radius} + abs(p) * 0x1p-21f, from = p - reach, to = p + reach;
-  if (!(to.x >= bounds_.low.x && from.x <= bounds_.high.x && to.y >= bounds_.low.y && from.y <= bounds_.high.y &&
-        to.z >= bounds_.low.z && from.z <= bounds_.high.z))
-    return 0;
-  const Cell low = cell_of(from), high = cell_of(to);
   std::uint64_t tested = 0;
   PointsWithin found(p, radius2);
-  for (int cz = low.z; cz <= high.z; ++cz)
-    for (int cy = low.y; cy <= high.y; ++cy) {
-      const std::uint32_t begin = begin_[index_of(low.x, cy, cz)], end = begin_[index_of(high.x, cy, cz) + 1];
-      tested += end - begin;
-      for (std::uint32_t i = begin; i < end;) {
-        i = found.add(x_.data(), y_.data(), z_.data(), i, end);
-        if (found.full()) found.empty_into(fn);
-      }
+  cells_.for_each_row(begin_.data(), p, radius2, [&](std::uint32_t begin, std::uint32_t end) {
+    tested += end - begin;
+    for (std::uint32_t i = begin; i < end;) {
+      i = found.add(x_.data(), y_.data(), z_.data(), i, end);
+      if (found.full()) found.empty_into(fn);
     }
+  });
   found.empty_into(fn);
   return tested;
 }

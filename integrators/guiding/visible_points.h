@@ -32,7 +32,7 @@ class VisiblePoints {
       const Scattering* scattering = point.tile->scattering_of(hit);
       const bool counts =
           scattering != nullptr && scattering->transmits
-              ? SameSurface(hit, *scattering, std::sqrt(point.radius2)).counts(photon.p, photon.wi, photon.face)
+              ? surface_of(hit, *scattering, std::sqrt(point.radius2)).counts(photon.p, photon.wi, photon.face)
               : dot(photon.wi, hit.ng) > 0;
       if (!counts) return;
       const Spectrum f = scattering == nullptr ? Spectrum(1) : scattering->scattered(photon.wi);

@@ -1,6 +1,8 @@
 #include "dspm/integrators/methods/estimator.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "dspm/base/system/parallel.h"
 #include "dspm/integrators/caught_light.h"
@@ -34,10 +36,35 @@ void PixelEstimator::gather(const PhotonBatch& batch, BatchCounts& counts) {
               add({frames, tile.palette->seen(radiance) / static_cast<float>(of_.photons), beam.pixel});
             });
   });
+  if (batch.flux != nullptr && takes_flux()) return take_flux(batch, counts.photons);
   gather_tiles(batch.tiles, counts.photons, [&](const HitPointTile& tile, GatherCounts& work) {
     for (const HitPoint& hit : tile.hit_points)
       if (hit.caught == of_.caught) gather_at(hit, tile, batch.photons, work);
   });
+}
+
+void PixelEstimator::take_flux(const PhotonBatch& batch, std::vector<GatherCounts>& counts) {
+  const FluxOfPoints& flux = *batch.flux;
+  gather_tiles(batch.tiles, counts, [&](const HitPointTile& tile, GatherCounts& work) {
+    std::size_t i = flux.first_point[static_cast<std::size_t>(&tile - batch.tiles.data())];
+    for (const HitPoint& hit : tile.hit_points) {
+      const PointFlux& point = flux.points[i];
+      if (hit.caught == of_.caught) {
+        take(hit, tile, flux.of(i));
+        work.gathers.add(hit.frames.count());
+        work.found += {point.found, point.found_separate};
+        work.tests += point.tests;
+      }
+      ++i;
+    }
+  });
+  for (const FluxOfPoints::Rejection& rejection : flux.rejections) {
+    const auto above = std::ranges::upper_bound(flux.first_point, rejection.point);
+    const auto t = static_cast<std::size_t>(above - flux.first_point.begin()) - 1;
+    const HitPoint& hit = batch.tiles[t].hit_points[rejection.point - flux.first_point[t]];
+    if (hit.caught == of_.caught)
+      counts[t].rejections.add({SceneElement::Kind::material, rejection.material}, rejection.frames, hit.pixel);
+  }
 }
 
 std::vector<PixelOutput> PixelEstimator::outputs(int /*iterations*/) const {

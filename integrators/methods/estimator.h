@@ -33,8 +33,7 @@ class PixelEstimator : public PixelSink {
   explicit PixelEstimator(const EstimatorSettings& of) : of_(of) {}
 
   void see(std::span<const HitPointTile> tiles) final;
-  /// A batch is values only: whoever gathers it elsewhere, such as on another device, overrides this.
-  void gather(const PhotonBatch& batch, BatchCounts& counts) override;
+  void gather(const PhotonBatch& batch, BatchCounts& counts) final;
   std::vector<PixelOutput> outputs(int iterations) const final;
 
   /// The square of the radius in which the next batch's photons are sought: the largest of all frames.
@@ -46,6 +45,8 @@ class PixelEstimator : public PixelSink {
   }
   /// Returns the statistics of a pixel with a radius of its own; nullopt if only sums are kept.
   virtual std::optional<PixelStatistics> statistics(int /*pixel*/, Frame) const { return std::nullopt; }
+  /// Returns whether the flux in the radius is all that it needs of a hit point's photons: a device may gather that.
+  virtual bool takes_flux() const { return false; }
   /// Returns whether an iteration is the same whatever the others found; if not, its sums cannot be merged.
   virtual bool adds_up() const { return true; }
 
@@ -53,6 +54,8 @@ class PixelEstimator : public PixelSink {
   /// Gathers photons for a hit point and adds them to the pixel's sums. Calls for different pixels may run
   /// concurrently; a pixel's hit points of one iteration hold disjoint frames.
   virtual void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) = 0;
+  /// Adds flux that a device has gathered there, as gather_at() does; only if it takes_flux().
+  virtual void take(const HitPoint& /*hit*/, const HitPointTile& /*tile*/, const FluxOfPoints::Of& /*flux*/) {}
   /// Adds light that needs no photons. Calls for different pixels may run concurrently.
   virtual void add(const SeenLight& light) = 0;
   /// Radiance after the completed iterations.
@@ -61,6 +64,9 @@ class PixelEstimator : public PixelSink {
   void expect_possible_statistics() const;
 
   const EstimatorSettings of_;
+
+ private:
+  void take_flux(const PhotonBatch& batch, std::vector<GatherCounts>& counts);
 };
 
 /// The estimator of the image, and that of the light on shadow catchers, which is null if the scene has none.

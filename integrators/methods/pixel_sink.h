@@ -13,6 +13,7 @@
 #include "dspm/integrators/photons/gather.h"
 #include "dspm/integrators/photons/hidden_light.h"
 #include "dspm/integrators/photons/medium_photons.h"
+#include "dspm/integrators/photons/point_flux.h"
 
 namespace dspm {
 
@@ -22,6 +23,7 @@ struct PhotonBatch {
   const PhotonMap& photons;
   const HiddenPhotons& hidden;
   const MediumPhotons& in_media;
+  const FluxOfPoints* flux = nullptr;  // that a device has gathered at the tiles' hit points; null: none has
 };
 
 /// The work of gathering a batch, by tile.

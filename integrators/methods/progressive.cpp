@@ -1,6 +1,7 @@
 #include "dspm/integrators/methods/progressive.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "dspm/base/math/frames.h"
 #include "dspm/base/system/parallel.h"
@@ -21,7 +22,10 @@ class Progressive final : public Integrator {
  public:
   Progressive(const ProgressiveSettings& settings, const Scene& scene, const RenderSettings& render,
               const EstimatorKind& estimator)
-      : render_(render), ways_(settings, scene), paths_(settings.device, render.device == Device::automatic), typical_(hit_point_tile_count(render.crop)) {
+      : render_(render),
+        ways_(settings, scene),
+        paths_(settings.device, render.device == Device::automatic),
+        typical_(hit_point_tile_count(render.crop)) {
     statistics_.steps = {{"emission"}, {"hit points"}, {"photons"}, {"photon map"}, {"statistics"}};
     ways_.start_statistics(scene, render, statistics_);
     // How much memory photons take depends on where they start.
@@ -114,7 +118,7 @@ class Progressive final : public Integrator {
       account(traces_, statistics_);
       build_photon_map(scene, cell_size);
       if (first == begin) see_lights();  // not before: if memory ends, it mostly has by now, and no pixel has changed
-      gather_photons(pixels.moment == 0);
+      gather_photons(scene, pixels.moment == 0);
     }
   }
 
@@ -163,11 +167,16 @@ class Progressive final : public Integrator {
   }
 
   // [WG12 4.3] Those that look at the estimators' radii come before them: hj09 shrinks them as it gathers.
-  void gather_photons(bool is_first_part) {
+  void gather_photons(const Scene& scene, bool is_first_part) {
     const StepTimer timer(statistics_.steps[kStatistics]);
     BatchCounts counts(tiles_.size());
+    const PixelEstimator& image = *sinks_.estimators.image;
+    const std::optional<FluxOfPoints> flux =
+        image.takes_flux()
+            ? paths_.flux(scene, tiles_, map_, [&](const HitPoint& hit) { return image.search_radius2(hit); })
+            : std::nullopt;
     for (auto sink = sinks_.list.rbegin(); sink != sinks_.list.rend(); ++sink)
-      (*sink)->gather({tiles_, map_, hidden_, in_media_}, counts);
+      (*sink)->gather({tiles_, map_, hidden_, in_media_, flux ? &*flux : nullptr}, counts);
     account(counts.hidden, statistics_);
     account(counts.photons, statistics_);
     typical_.add(counts.photons, is_first_part);

@@ -103,8 +103,12 @@ class SppmKz11 final : public PixelEstimator {
 
   void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) override {
     const float radius2 = search_radius2(hit);
-    sums_[static_cast<std::size_t>(hit.pixel)] +=
-        gather_at_one(hit, tile, map, radius2, counts).phi / kernel_size(radius2);
+    add(hit, gather_at_one(hit, tile, map, radius2, counts).phi, radius2);
+  }
+
+  bool takes_flux() const override { return true; }
+  void take(const HitPoint& hit, const HitPointTile& tile, const FluxOfPoints::Of& flux) override {
+    add(hit, tile.palette->seen(flux.shared() * hit.throughput), search_radius2(hit));
   }
 
   // Every iteration emits the same number of photons, so seen light is weighted by it and needs no separate sums.
@@ -126,6 +130,10 @@ class SppmKz11 final : public PixelEstimator {
   }
 
  private:
+  void add(const HitPoint& hit, const Rgb& phi, float radius2) {
+    sums_[static_cast<std::size_t>(hit.pixel)] += phi / kernel_size(radius2);
+  }
+
   int iterations_ = 0;     // done
   std::vector<Rgb> sums_;  // radiance times photons
 };

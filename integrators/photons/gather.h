@@ -27,6 +27,23 @@ struct GatherCounts {
   Rejections rejections;
 };
 
+/// Counts photons that arrive at the front of a surface. Those that arrive at its back do not count, unless its lobes
+/// transmit.
+class SurfaceSide {
+ public:
+  explicit SurfaceSide(const HitPoint& hit) : normal_(_mm_setr_ps(hit.ng.x, hit.ng.y, hit.ng.z, 0)) {}
+  bool counts(const GatheredPhoton& photon) const {
+    return _mm_cvtss_f32(_mm_dp_ps(photon.wi_lanes(), normal_, 0x71)) > 0;
+  }
+
+ private:
+  __m128 normal_;
+};
+
+inline SameSurface surface_of(const HitPoint& hit, const Scattering& scattering, float radius) {
+  return {hit.p, hit.ng, scattering.p_error, hit.face, radius};
+}
+
 /// The flux of photons as it is.
 struct AllColours {
   static SpectrumLanes lanes(const GatheredPhoton& photon) { return photon.flux_lanes(); }
@@ -63,7 +80,7 @@ void gather_flux(const HitPoint& hit, const Scattering* scattering, const Photon
             fn(strands_of(photon), frames, flux_of.lanes(photon), distance2, [&] { return details.group(); });
         });
   } else {
-    const SameSurface surface(hit, *scattering, std::sqrt(radius2));
+    const SameSurface surface = surface_of(hit, *scattering, std::sqrt(radius2));
     counts.tests +=
         map.for_each_within(hit.p, radius2, hit.frames, [&](const auto& photon, float distance2, const auto& details) {
           const FrameSet frames = photon.frames & hit.frames;

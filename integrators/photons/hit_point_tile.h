@@ -29,6 +29,7 @@ struct Scattering {
   Inside inside;       // the bodies around the hit point
   Vec3 ns, unbent_ns;  // with the relief, and without
   int strip = -1;      // index in the tile; negative if the surface does not turn to rays
+  RayHit hit = {};     // the camera path's, if it has ended here
 
   /// Returns what a photon from wi gives, per flux. Its flux counts by the normal that its shape has there. The relief
   /// is that of the hit point: it bends f as well, and within the radius normals may differ as much as they like.

@@ -66,7 +66,7 @@ class HitPointWriter {
     CameraPath ended = path;
     if (!carry(ended, vertex, factors)) return;
     const SurfacePoint& point = vertex.point;
-    add_hit_point(hit_points, ended, {point, unbent_normal(point), vertex.wo, vertex.hit.shape}, bsdf, lobes);
+    add_hit_point(hit_points, ended, {point, unbent_normal(point), vertex.wo, vertex.hit}, bsdf, lobes);
     if (bsdf == nullptr || !point.turns) return;
     tile_.scatterings.back().strip = static_cast<int>(tile_.strips.size());
     tile_.strips.push_back({StripPlace(vertex.shape, vertex.hit, vertex.wo), point.ns});
@@ -76,7 +76,7 @@ class HitPointWriter {
   struct EndSurface {
     const SurfaceGeometry& point;
     Vec3 unbent_ns, wo;
-    int shape;
+    const RayHit& hit;  // the camera path's
   };
 
   /// Adds a hit point of a path that carries what is left of it there.
@@ -85,7 +85,7 @@ class HitPointWriter {
     HitPoint& hit = hit_points.emplace_back();
     hit.p = at.point.p;
     hit.ng = dot(at.wo, at.point.ng) < 0 ? -at.point.ng : at.point.ng;
-    hit.face = ShapeFace(at.shape, at.point.ng, at.wo);
+    hit.face = ShapeFace(at.hit.shape, at.point.ng, at.wo);
     hit.throughput = ended.throughput, hit.strands = ended.strands;
     hit.frames = ended.frames, hit.pixel = ended.pixel, hit.indirect = ended.indirect, hit.caught = ended.caught;
     hit.wavelength = ended.wavelength;
@@ -97,7 +97,8 @@ class HitPointWriter {
     hit.scattering = static_cast<int>(tile_.scatterings.size());
     tile_.scatterings.push_back(
         {BsdfSlot::copy_of(*bsdf), at.wo, at.point.p_error, lobes, bsdf->transmits(bsdf->all_lobes()),
-         scene_.shapes[static_cast<std::size_t>(at.shape)].material, ended.inside, at.point.ns, at.unbent_ns});
+         scene_.shapes[static_cast<std::size_t>(at.hit.shape)].material, ended.inside, at.point.ns, at.unbent_ns});
+    tile_.scatterings.back().hit = at.hit;
   }
 
   /// Adds the part of the path's segment that the section is, and what the medium there gives off. Photons bring what it

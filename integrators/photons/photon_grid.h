@@ -8,6 +8,7 @@
 #include "dspm/base/math/vec.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/integrators/light_groups.h"
+#include "dspm/integrators/photons/plain_photon_map.h"
 #include "dspm/integrators/transport/shape_face.h"
 
 namespace dspm {
@@ -39,6 +40,8 @@ class PhotonGrid {
   std::size_t bytes() const {
     return grid_.bytes() + photons_.bytes() + points_.bytes() + faces_.bytes() + groups_.bytes();
   }
+  /// Returns the same grid for a device; this must outlive it, and be built no more.
+  PlainPhotonGrid plain() const { return {grid_.plain(), photons_.data(), faces_.data()}; }
   /// Calls fn(const Gathered&, distance squared, const Details&) for every photon within sqrt(radius2) of p; returns
   /// how many it tested.
   template <class Fn>

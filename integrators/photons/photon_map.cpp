@@ -104,6 +104,12 @@ void PhotonMap::build_with_strands(std::size_t first, float cell_size) {
   with_strands_.build(strands_.size(), cell_size, photon, gathered, told_apart());
 }
 
+PlainPhotonMap PhotonMap::plain(std::vector<PlainPhotonGrid>& of_frame) const {
+  of_frame.clear();
+  for (const auto& grid : of_frame_) of_frame.push_back(grid.plain());
+  return {common_.plain(), single_.plain(), of_frame.empty() ? nullptr : of_frame.data(), of_frame.size()};
+}
+
 std::size_t PhotonMap::bytes() const {
   std::size_t sum = photons_.bytes() + strands_.bytes() + common_.bytes() + single_.bytes() + with_strands_.bytes();
   for (const auto& grid : of_frame_) sum += grid.bytes();

@@ -12,6 +12,7 @@
 #include "dspm/integrators/light_groups.h"
 #include "dspm/integrators/photons/photon.h"
 #include "dspm/integrators/photons/photon_grid.h"
+#include "dspm/integrators/photons/plain_photon_map.h"
 
 namespace dspm {
 
@@ -41,6 +42,9 @@ class PhotonMap {
   /// The wavelength of the photons that have one alone; 0: all have all colours.
   std::int16_t only_nm() const { return only_nm_; }
   std::size_t size() const { return photons_.size(); }
+  /// Returns the same map for a device, but for photons with strands. Both this and `of_frame`, which is filled, must outlive it.
+  PlainPhotonMap plain(std::vector<PlainPhotonGrid>& of_frame) const;
+  bool has_strands() const { return !strands_.empty(); }
   std::size_t bytes() const;
   /// Calls fn(const GatheredPhoton&, distance squared, details) or the same with GatheredStrands for all photons within
   /// sqrt(radius2) of p that exist in some of `frames`, and for some others; returns how many it tested. For details,
@@ -61,8 +65,6 @@ class PhotonMap {
  private:
   void build_with_strands(std::size_t first, float cell_size);
   const LightGroups* told_apart() const { return groups_.count() > 0 ? &groups_ : nullptr; }
-
-  static constexpr int kFewFrames = 3;  // up to this many are searched in their own grids, one by one
 
   LightGroups groups_;
   std::int16_t only_nm_ = 0;

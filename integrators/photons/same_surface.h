@@ -4,23 +4,9 @@
 #include <cmath>
 
 #include "dspm/base/math/vec.h"
-#include "dspm/integrators/photons/hit_point_tile.h"
-#include "dspm/integrators/photons/photon.h"
+#include "dspm/integrators/transport/shape_face.h"
 
 namespace dspm {
-
-/// Counts photons that arrive at the front of a surface. Those that arrive at its back do not count, unless its lobes
-/// transmit.
-class SurfaceSide {
- public:
-  explicit SurfaceSide(const HitPoint& hit) : normal_(_mm_setr_ps(hit.ng.x, hit.ng.y, hit.ng.z, 0)) {}
-  bool counts(const GatheredPhoton& photon) const {
-    return _mm_cvtss_f32(_mm_dp_ps(photon.wi_lanes(), normal_, 0x71)) > 0;
-  }
-
- private:
-  __m128 normal_;
-};
 
 /// Counts photons of both sides of a surface that transmits, but not those of another surface close by, such as the
 /// other side of a thin slab or the next of two sheets: they must have come to the same side, as its outward normal
@@ -28,13 +14,11 @@ class SurfaceSide {
 class SameSurface {
  public:
   /// `ng` is on the side of `face`, `p_error` is the error of p, and photons are sought within `radius`.
-  SameSurface(const Vec3& p, const Vec3& ng, const Vec3& p_error, ShapeFace face, float radius)
+  constexpr SameSurface(const Vec3& p, const Vec3& ng, const Vec3& p_error, ShapeFace face, float radius)
       : p_(p), ng_(ng), face_(face), rounding_(2 * dot(abs(ng), p_error)), flat_(kFlat * radius + rounding_) {}
-  SameSurface(const HitPoint& hit, const Scattering& scattering, float radius)
-      : SameSurface(hit.p, hit.ng, scattering.p_error, hit.face, radius) {}
 
   /// Returns whether a photon at p that has come to `face` from wi counts.
-  bool counts(const Vec3& p, const Vec3& wi, ShapeFace face) const {
+  constexpr bool counts(const Vec3& p, const Vec3& wi, ShapeFace face) const {
     const float off = std::abs(dot(p - p_, ng_));
     if (off <= rounding_) return true;  // whichever way the parts of a plane are wound
     const bool from_here = dot(wi, ng_) > 0, same_face = face.is_inner() == face_.is_inner();

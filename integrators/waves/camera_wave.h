@@ -53,7 +53,7 @@ struct WaveHitPoint {
   Spectrum throughput;  // of the path, as HitPoint has it
   FrameSet frames;
   float length;  // of the path
-  int shape;
+  RayHit hit;
   std::uint32_t start;
   std::uint16_t bounces;
   LobeSet lobes;  // that gather
@@ -133,7 +133,7 @@ class CameraAtSurface {
   constexpr void store(const Spectrum& factor, LobeSet lobes, bool constant, bool glossy) {
     const Spectrum throughput = if_light(path_.throughput * factor);
     if (is_black(throughput)) return;
-    out_.store({point_, wo_, throughput, path_.frames, path_.length, part_.hit.shape, path_.start, path_.bounces, lobes,
+    out_.store({point_, wo_, throughput, path_.frames, path_.length, part_.hit, path_.start, path_.bounces, lobes,
                 constant, glossy, path_.caught});
   }
 

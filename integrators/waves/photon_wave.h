@@ -87,7 +87,8 @@ class PhotonAtSurface {
     const auto correction = arrival_correction(point_.ns, point_.ng, wo_);
     if (!correction) return;
     out_.store({point_.p, point_.ng, wo_, path_.throughput * *correction, part_.frames,
-                ShapeFace(part_.hit.shape, point_.ng, wo_), path_.start, path_.path, path_.bounces, path_.kind, hidden});
+                ShapeFace(part_.hit.shape, point_.ng, wo_), path_.start, path_.path, path_.bounces, path_.kind,
+                hidden});
   }
 
   template <class AnyBsdf>

@@ -26,7 +26,7 @@ struct PlainPlacedShape {
   bool emits = false, catches_shadows = false;
   int material = 0;
 
-  /// See scene_copy.h.
+  /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     mesh.each_array(fn);
@@ -48,7 +48,7 @@ struct PlainScene {
   const PlainMaterial* materials = nullptr;
   std::size_t shape_count = 0, material_count = 0;
 
-  /// See scene_copy.h.
+  /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     query.each_array(fn);

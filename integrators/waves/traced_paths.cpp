@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "dspm/integrators/waves/wave_flux.h"
+
 namespace dspm {
 
 std::vector<PhotonTrace> TracedPaths::photons(const Scene& scene, const PhotonSettings& settings,
@@ -26,6 +28,20 @@ std::vector<HitPointTile> TracedPaths::hit_points(const Scene& scene, const Rend
       leave_gpu(failure);
     }
   return trace_hit_points(scene, render, settings, iteration, std::move(reuse));
+}
+
+std::optional<FluxOfPoints> TracedPaths::flux(const Scene& scene, std::span<const HitPointTile> tiles,
+                                              const PhotonMap& photons,
+                                              const std::function<float(const HitPoint&)>& radius2_of) {
+  if (tracer_ == nullptr || !why_not_plain(scene).empty()) return std::nullopt;
+  try {
+    load(scene);
+    if (may_gather_in_waves(tiles, photons, plain_->scene()))
+      return gather_in_waves(*tracer_, tiles, photons, radius2_of);
+  } catch (const MachineFailure& failure) {
+    leave_gpu(failure);
+  }
+  return std::nullopt;
 }
 
 // A scene whose shutter is open is not plain, so all iterations have one accelerator.

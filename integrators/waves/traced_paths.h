@@ -3,12 +3,17 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "dspm/base/colour/palette.h"
 #include "dspm/integrators/integrator.h"
+#include "dspm/integrators/photons/photon_map.h"
+#include "dspm/integrators/photons/point_flux.h"
 #include "dspm/integrators/photons/trace_hit_points.h"
 #include "dspm/integrators/photons/trace_photons.h"
 #include "dspm/integrators/waves/devices.h"
@@ -33,6 +38,11 @@ class TracedPaths {
   std::vector<HitPointTile> hit_points(const Scene& scene, const RenderSettings& render,
                                        const HitPointSettings& settings, std::uint64_t iteration,
                                        std::vector<HitPointTile> reuse);
+
+  /// Returns the flux of the photons within radius2_of(hit point), squared, of each of the tiles' hit points; nullopt if no
+  /// tracer gathers it.
+  std::optional<FluxOfPoints> flux(const Scene& scene, std::span<const HitPointTile> tiles, const PhotonMap& photons,
+                                   const std::function<float(const HitPoint&)>& radius2_of);
 
   /// Returns why paths have left the GPU; empty: they have not.
   const std::string& why_off_gpu() const { return why_off_gpu_; }

@@ -85,11 +85,11 @@ class TileOfWaves {
     CameraPath path = started;
     path.throughput = hit.throughput, path.frames = hit.frames, path.bounces = hit.bounces;
     path.length = hit.length, path.caught = hit.caught;
-    const HitPointWriter::EndSurface surface{hit.point, hit.point.ns, hit.wo, hit.shape};
+    const HitPointWriter::EndSurface surface{hit.point, hit.point.ns, hit.wo, hit.hit};
     std::vector<HitPoint>& kept = hit.glossy ? tile_.glossy : tile_.hit_points;
     if (hit.constant) return out_.add_hit_point(kept, path, surface, nullptr, hit.lobes);
     BsdfSlot slot;
-    const PlainMaterial& material = plain_.materials[plain_.shapes[hit.shape].material];
+    const PlainMaterial& material = plain_.materials[plain_.shape_of(hit.hit).material];
     out_.add_hit_point(kept, path, surface, &material.with_bsdf(hit.point, IntoSlot{slot}), hit.lobes);
   }
 

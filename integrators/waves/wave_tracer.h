@@ -10,7 +10,10 @@
 
 #include "dspm/base/math/frames.h"
 #include "dspm/base/system/untouched.h"
+#include "dspm/integrators/photons/plain_photon_map.h"
+#include "dspm/integrators/photons/point_flux.h"
 #include "dspm/integrators/waves/camera_wave.h"
+#include "dspm/integrators/waves/gather_wave.h"
 #include "dspm/integrators/waves/photon_wave.h"
 #include "dspm/integrators/waves/plain_scene.h"
 
@@ -45,7 +48,7 @@ struct WaveOutcome {
 
 struct PhotonWaves : WaveOutcome {
   UntouchedVector<WavePhoton> photons;  // in their order()
-  std::vector<WaveEnergy> energy;   // by frame; the last is that of flux in all frames, and counts for each
+  std::vector<WaveEnergy> energy;       // by frame; the last is that of flux in all frames, and counts for each
 };
 
 struct CameraWaves : WaveOutcome {
@@ -71,9 +74,12 @@ class WaveTracer {
   virtual void load(const PlainScene& scene) = 0;
   /// Returns how many paths should be traced at once.
   virtual std::size_t paths_at_once() const = 0;
-  /// Follows paths to their ends. The results depend on no order. Both throw MachineFailure.
+  /// Follows paths to their ends. The results depend on no order. These throw MachineFailure, too.
   virtual PhotonWaves trace(const PhotonWave& wave, const WaveStarts<PhotonState>& starts) = 0;
   virtual CameraWaves trace(const CameraWave& wave, const WaveStarts<CameraState>& starts) = 0;
+  /// Gathers the photons at points of the scene.
+  virtual FluxOfPoints gather(const PlainPhotonMap& map, std::span<const GatherPoint> points,
+                              std::span<const GatherScattering> scatterings) = 0;
 };
 
 }  // namespace dspm

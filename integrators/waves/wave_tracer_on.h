@@ -4,13 +4,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "dspm/base/colour/spectrum.h"
 #include "dspm/integrators/waves/followed_waves.h"
-#include "dspm/integrators/waves/scene_copy.h"
+#include "dspm/integrators/waves/gather_wave.h"
+#include "dspm/integrators/waves/plain_copy.h"
+#include "dspm/integrators/waves/wave_lists.h"
 #include "dspm/integrators/waves/wave_steps.h"
 #include "dspm/integrators/waves/wave_tracer.h"
 
@@ -21,7 +24,13 @@ class WaveTracerOn final : public WaveTracer {
  public:
   template <class... Args>
   explicit WaveTracerOn(Args&&... args)
-      : machine_(std::forward<Args>(args)...), photons_(machine_), camera_(machine_) {}
+      : machine_(std::forward<Args>(args)...),
+        photons_(machine_),
+        camera_(machine_),
+        points_(machine_),
+        scatterings_(machine_),
+        flux_(machine_),
+        gathered_(machine_) {}
 
   std::string name() const override { return machine_.name(); }
   std::size_t paths_at_once() const override { return machine_.paths_at_once(); }
@@ -29,7 +38,7 @@ class WaveTracerOn final : public WaveTracer {
   void load(const PlainScene& scene) override {
     copy_.reset();
     scene_ = scene;
-    if constexpr (Machine::kOwnMemory) scene_ = copy_.emplace(scene, machine_).scene();
+    if constexpr (Machine::kOwnMemory) scene_ = copy_.emplace(scene, machine_).value();
   }
 
   PhotonWaves trace(const PhotonWave& wave, const WaveStarts<PhotonState>& starts) override {
@@ -59,6 +68,28 @@ class WaveTracerOn final : public WaveTracer {
     return left;
   }
 
+  FluxOfPoints gather(const PlainPhotonMap& map, std::span<const GatherPoint> points,
+                      std::span<const GatherScattering> scatterings) override {
+    points_.copy_in(points), scatterings_.copy_in(scatterings), flux_.reserve(points.size());
+    GatherSteps steps{scene_, map, points_.data(), scatterings_.data(), flux_.data()};
+    std::optional<PlainCopy<PlainPhotonMap, Machine>> copy;
+    if constexpr (Machine::kOwnMemory) steps.map = copy.emplace(map, machine_).value();
+    gathered_.clear();
+    gathered_.append(
+        points.size(),
+        [&](const auto&... lists) {
+          steps.append_to(lists...);
+          machine_.for_each(points.size(), steps);
+        },
+        [] {});
+    FluxOfPoints flux;
+    flux.points.resize(points.size());
+    flux_.copy_out(flux.points);
+    flux.own = gathered_.template items<Spectrum>();
+    flux.rejections = gathered_.template sorted<FluxOfPoints::Rejection>();
+    return flux;
+  }
+
  private:
   template <class Waves>
   std::vector<std::int64_t> finish(Waves& waves, std::uint32_t paths, WaveOutcome& left) {
@@ -72,9 +103,13 @@ class WaveTracerOn final : public WaveTracer {
 
   Machine machine_;
   PlainScene scene_;
-  std::optional<SceneCopy<Machine>> copy_;
+  std::optional<PlainCopy<PlainScene, Machine>> copy_;
   FollowedWaves<Machine, PhotonState, WavePhoton, WaveRejection> photons_;
   FollowedWaves<Machine, CameraState, WaveHitPoint, WaveSight, WaveRejection> camera_;
+  MachineArray<GatherPoint, Machine> points_;
+  MachineArray<GatherScattering, Machine> scatterings_;
+  MachineArray<PointFlux, Machine> flux_;
+  WaveLists<Machine, Spectrum, FluxOfPoints::Rejection> gathered_;
 };
 
 }  // namespace dspm

@@ -26,27 +26,24 @@ class Kz11 final : public PixelEstimator {
   float search_radius2(const HitPoint& hit) const override { return of_.radius->squared(hit.radius); }
 
   void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) override {
-    const float radius2 = search_radius2(hit);
-    const Spectrum per_area = hit.throughput / kernel_size(radius2);
     GatheredFlux flux(hit, map);
-    gather_photons(hit, tile.scattering_of(hit), map, radius2, counts,
+    gather_photons(hit, tile.scattering_of(hit), map, search_radius2(hit), counts,
                    [&](const Strand* strands, FrameSet frames, SpectrumLanes photon, float) {
                      flux.add(strands, frames, photon);
                    });
     flux.end();
-    for_each_strand(tile.strands.of(hit.strands), hit.frames, [&](FrameSet frames, const Spectrum& weight) {
-      const Spectrum times = per_area * weight;
-      const auto seen = [&](const Spectrum& brought) { return tile.palette->seen(brought * times); };
-      add(hit.pixel, frames, seen(flux.shared()));
-      (frames & flux.with_own()).for_each([&](Frame f) { own_.at(hit.pixel, f) += seen(flux.own(f)); });
-    });
+    add(hit, tile, flux);
+  }
+
+  bool takes_flux() const override { return true; }
+  void take(const HitPoint& hit, const HitPointTile& tile, const FluxOfPoints::Of& flux) override {
+    add(hit, tile, flux);
   }
 
   // Every iteration emits the same number of photons, so seen light is weighted by it and needs no separate sums.
   void add(const SeenLight& light) override {
     add(light.pixel, light.frames, light.radiance * static_cast<float>(of_.photons));
   }
-
   void end_iteration() override { ++iterations_; }
 
   void persist(StateStream& state) override {
@@ -63,6 +60,18 @@ class Kz11 final : public PixelEstimator {
   }
 
  private:
+  /// `flux` is a GatheredFlux or FluxOfPoints::Of.
+  template <class Flux>
+  void add(const HitPoint& hit, const HitPointTile& tile, const Flux& flux) {
+    const Spectrum per_area = hit.throughput / kernel_size(search_radius2(hit));
+    for_each_strand(tile.strands.of(hit.strands), hit.frames, [&](FrameSet frames, const Spectrum& weight) {
+      const Spectrum times = per_area * weight;
+      const auto seen = [&](const Spectrum& brought) { return tile.palette->seen(brought * times); };
+      add(hit.pixel, frames, seen(flux.shared()));
+      (frames & flux.with_own()).for_each([&](Frame f) { own_.at(hit.pixel, f) += seen(flux.own(f)); });
+    });
+  }
+
   void add(int pixel, FrameSet frames, const Rgb& radiance_times_photons) {
     if (frames == FrameSet::first(of_.frames)) {
       shared_[static_cast<std::size_t>(pixel)] += radiance_times_photons;

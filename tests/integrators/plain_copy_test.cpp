@@ -1,5 +1,5 @@
 // The copy of a plain scene for a machine points into that machine's memory only, and light takes the same ways in it.
-#include "dspm/integrators/waves/scene_copy.h"
+#include "dspm/integrators/waves/plain_copy.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@
 #include "tests/support/temporary_directory.h"
 
 namespace dspm::test {
-namespace scene_copy_test {
+namespace plain_copy_test {
 
 /// The memory of a machine that does not exist: a range of addresses of our own.
 class Arena {
@@ -226,7 +226,7 @@ std::string text_of(unsigned scene) {
   return scene == 0 ? showroom.text() : PlainRandomScene(scene).text("\"dsppm\"");
 }
 
-TEST(SceneCopy, PointsIntoItsMemoryOnly) {
+TEST(PlainCopy, PointsIntoItsMemoryOnly) {
   std::set<std::type_index> types;
   int of_frames = 0;
   for (unsigned seed = 0; seed <= 20; ++seed) {
@@ -237,15 +237,15 @@ TEST(SceneCopy, PointsIntoItsMemoryOnly) {
     const PlainObjects plain(*scene);
     Arena arena;
     {
-      const SceneCopy copy(plain.scene(), arena);
-      const Survey survey(copy.scene(), arena), original(plain.scene(), arena);
+      const PlainCopy copy(plain.scene(), arena);
+      const Survey survey(copy.value(), arena), original(plain.scene(), arena);
       EXPECT_EQ(survey.outside(), 0u);
       EXPECT_EQ(survey.addresses(), 0u);
       EXPECT_EQ(survey.types(), original.types());
       EXPECT_GT(original.outside(), 10u);
       EXPECT_TRUE(original.addresses() > 10 || !Survey::kKnowsGaps);
       types.insert(survey.types().begin(), survey.types().end());
-      of_frames += copy.scene().query.of_frame != nullptr;
+      of_frames += copy.value().query.of_frame != nullptr;
       EXPECT_GT(arena.pieces(), 0);
     }
     EXPECT_EQ(arena.pieces(), 0);
@@ -271,7 +271,7 @@ std::vector<std::string> in_words(const std::vector<PhotonTrace>& traces) {
   return photons;
 }
 
-TEST(SceneCopy, LeavesLightItsWays) {
+TEST(PlainCopy, LeavesLightItsWays) {
   std::size_t all = 0;
   for (unsigned seed = 0; seed <= 20; ++seed) {
     SCOPED_TRACE(seed);
@@ -287,9 +287,9 @@ TEST(SceneCopy, LeavesLightItsWays) {
     };
     const PlainObjects plain(*scene);
     Arena arena;
-    const SceneCopy copy(plain.scene(), arena);
+    const PlainCopy copy(plain.scene(), arena);
     const auto photons = photons_in(plain.scene());
-    EXPECT_EQ(photons_in(copy.scene()), photons);
+    EXPECT_EQ(photons_in(copy.value()), photons);
     all += photons.size();
   }
   EXPECT_GT(all, 10'000u);
@@ -300,16 +300,16 @@ std::size_t bytes_copied(const std::string& text) {
   const auto scene = test.scene(test.all_frames());
   const PlainObjects plain(*scene);
   Arena arena;
-  const SceneCopy copy(plain.scene(), arena);
+  const PlainCopy copy(plain.scene(), arena);
   return arena.copied();
 }
 
-TEST(SceneCopy, HasOnceWhatIsPlacedOften) {
+TEST(PlainCopy, HasOnceWhatIsPlacedOften) {
   const std::string bush = "Translate .1 0 0 ObjectInstance \"bush\"\n";
   const std::size_t few = bytes_copied(text_of(0)), more = bytes_copied(text_of(0) + bush + bush);
   EXPECT_GT(few, 100'000u);  // there are tables
   EXPECT_LT(more - few, 2 * 14 * (sizeof(PlainPlacedShape) + 8 * sizeof(PlainTree::Placed)));
 }
 
-}  // namespace scene_copy_test
+}  // namespace plain_copy_test
 }  // namespace dspm::test

@@ -1,4 +1,5 @@
-// A copy of a plain scene in the memory of a machine: it points to copies, over there, of all that the scene points to.
+// A copy of a plain value, such as a scene, for a machine: it points to copies, in that machine's memory, of all that the value
+// points to.
 //
 // Plain structs say where their arrays are: value.each_array(fn) calls fn(pointer, count) for each pointer of `value`
 // and of the structs within it, by reference, null or not. What is pointed to alone is an array of one. Elements that
@@ -14,8 +15,6 @@
 #include <typeinfo>
 #include <utility>
 #include <vector>
-
-#include "dspm/integrators/waves/plain_scene.h"
 
 namespace dspm {
 
@@ -62,19 +61,19 @@ class Blocks {
 };
 
 /// Memory is one for Blocks, which has void copy_in(void* to, const void* from, std::size_t bytes) as well.
-template <class Memory>
-class SceneCopy {
+template <class Plain, class Memory>
+class PlainCopy {
  public:
-  /// `memory` must outlive this; the scene need not.
-  SceneCopy(const PlainScene& scene, Memory& memory) : memory_(memory), blocks_(memory), scene_(scene) {
-    move_arrays(scene_);
+  /// `memory` must outlive this; what is copied need not.
+  PlainCopy(const Plain& plain, Memory& memory) : memory_(memory), blocks_(memory), value_(plain) {
+    move_arrays(value_);
     copies_.clear();
   }
-  SceneCopy(const SceneCopy&) = delete;
-  SceneCopy& operator=(const SceneCopy&) = delete;
+  PlainCopy(const PlainCopy&) = delete;
+  PlainCopy& operator=(const PlainCopy&) = delete;
 
   /// The value is here, all that it points to is in that memory.
-  const PlainScene& scene() const { return scene_; }
+  const Plain& value() const { return value_; }
 
  private:
   using Key = std::tuple<const void*, std::size_t, std::type_index>;  // where it is, its length, of what
@@ -110,7 +109,7 @@ class SceneCopy {
 
   Memory& memory_;
   Blocks<Memory> blocks_;
-  PlainScene scene_;
+  Plain value_;
   std::map<Key, const void*> copies_;  // lookups only, so addresses affect no result
 };
 
