@@ -23,6 +23,9 @@ foreach(module dspm_mpi dspm_openvdb)  # loaded if they are needed
     install(TARGETS ${module} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
   endif()
 endforeach()
+if(TARGET dspm_cuda)
+  install(FILES ${CMAKE_BINARY_DIR}/libdspm_cuda.so DESTINATION ${CMAKE_INSTALL_LIBDIR})
+endif()
 foreach(header ${public_headers} ${testing_headers} ${toolkit_headers})
   get_filename_component(folder ${header} DIRECTORY)
   install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/dspm/${folder} COMPONENT Development)
@@ -84,7 +87,7 @@ install(FILES cmake/package/dspm.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/
 
 # All that is installed.
 add_custom_target(packaged DEPENDS dspm blender_addon self_description)
-foreach(part dspm_mpi dspm_openvdb python_stubs)
+foreach(part dspm_mpi dspm_openvdb dspm_cuda python_stubs)
   if(TARGET ${part})
     add_dependencies(packaged ${part})
   endif()

@@ -19,6 +19,7 @@
 #include "dspm/media/read_openvdb.h"
 #include "dspm/output/oidn.h"
 #include "dspm/output/video.h"
+#include "dspm/integrators/waves/devices.h"
 #include "dspm/session/machines/find_link.h"
 
 namespace dspm {
@@ -104,6 +105,8 @@ std::vector<OptionalPart> built_parts() {
                  knows_ocio()),
       in_module("MPI", "mpirun -n 16 dspm: several machines together",
                 "openmpi-bin; libopenmpi-dev, when dspm is built", has_mpi_module(), fault_of_mpi_module),
+      in_module("CUDA", "--device gpu, with an NVIDIA card", "nvcc of CUDA 12 or later, when dspm is built",
+                has_gpu_module(), why_no_gpu),
   };
 }
 

@@ -17,7 +17,7 @@ quietly env DESTDIR="$stage" cmake --install "$build" --prefix /usr --strip
 libraries=$(dirname "$(find "$stage/usr/lib" -name 'libdspm.so')")
 program=$stage/usr/bin/dspm
 python_module=$(find "$stage/usr/lib" -name '_dspm.*.so')
-modules=$(find "$libraries" -name 'libdspm_mpi.so' -o -name 'libdspm_openvdb.so')
+modules=$(find "$libraries" -name 'libdspm_mpi.so' -o -name 'libdspm_openvdb.so' -o -name 'libdspm_cuda.so')
 version=$("$build/dspm" --version | sed -n '1s/dspm //p')
 soversion=$(objdump -p "$libraries/libdspm.so" | sed -n 's/.*SONAME *libdspm\.so\.//p')
 

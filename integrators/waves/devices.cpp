@@ -15,15 +15,15 @@ namespace {
 
 using MakeTracer = WaveTracer*(std::string* why_not);
 
+std::filesystem::path module_file() { return beside_library(DSPM_CUDA_MODULE); }
+
 /// Returns null, and the reason, if the module cannot be loaded.
 MakeTracer* load_module(std::string& why_not) {
-  const std::filesystem::path file = beside_library(DSPM_CUDA_MODULE);
-  std::error_code none;
-  if (!std::filesystem::exists(file, none)) {
+  if (!has_gpu_module()) {
     why_not = "this dspm was built without nvcc, the compiler for NVIDIA's GPUs";
     return nullptr;
   }
-  void* const module = dlopen(file.c_str(), RTLD_NOW);
+  void* const module = dlopen(module_file().c_str(), RTLD_NOW);
   void* const make = module != nullptr ? dlsym(module, "dspm_cuda_tracer") : nullptr;
   if (make == nullptr) why_not = fmt::format("its module for GPUs cannot be loaded ({})", dlerror());
   return reinterpret_cast<MakeTracer*>(make);
@@ -37,6 +37,11 @@ std::unique_ptr<WaveTracer> tracer_on_gpu(std::string& why_not) {
 }
 
 }  // namespace
+
+bool has_gpu_module() {
+  std::error_code none;
+  return std::filesystem::exists(module_file(), none);
+}
 
 std::string why_no_gpu() {
   static const std::string why = [] {

@@ -9,6 +9,8 @@
 
 namespace dspm {
 
+/// Returns whether the module for GPUs lies where it should.
+bool has_gpu_module();
 /// Returns why no GPU can be used, in words that follow "because"; empty: one can. What has an answer once keeps it.
 std::string why_no_gpu();
 

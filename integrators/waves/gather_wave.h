@@ -75,7 +75,8 @@ struct GatherSteps {
     if (point.scattering != GatherPoint::kConstant) return gather_scattered(i, scatterings[point.scattering]);
     gather(i, kSound, [&](const PlainPhotonGrid& in, std::uint32_t place) -> std::optional<Spectrum> {
       const GatheredPhoton& photon = in.photons[place];
-      return dot(photon.wi, point.ng) > 0 ? std::optional(photon.flux) : std::nullopt;
+      if (!(dot(photon.wi, point.ng) > 0)) return std::nullopt;
+      return photon.flux;
     });
   }
   void append_to(const WaveList<Spectrum>& to_own, const WaveList<FluxOfPoints::Rejection>& to_rejections) {

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "dspm/base/math/frames.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/base/system/untouched.h"
 #include "dspm/integrators/waves/wave_tracer.h"

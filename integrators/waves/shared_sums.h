@@ -21,9 +21,13 @@ constexpr std::uint32_t add_among_all(std::uint32_t& sum, std::uint32_t value) {
 constexpr void add_among_sharers(std::int64_t& sum, std::int64_t value) {
 #if defined(__CUDA_ARCH__) && !defined(__clang__)
   atomicAdd(reinterpret_cast<unsigned long long*>(&sum), static_cast<unsigned long long>(value));
-#elif defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__)
-  __atomic_fetch_add(&sum, value, __ATOMIC_RELAXED);
 #else
+#if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__)
+  if (!std::is_constant_evaluated()) {
+    __atomic_fetch_add(&sum, value, __ATOMIC_RELAXED);
+    return;
+  }
+#endif
   sum += value;
 #endif
 }

@@ -6,7 +6,6 @@
 #include <cstring>
 #include <string>
 
-#include "dspm/base/grid/buffer.h"
 #include "dspm/base/system/parallel.h"
 #include "dspm/base/system/parallel_sort.h"
 #include "dspm/integrators/waves/machine.h"
