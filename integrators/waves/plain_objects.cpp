@@ -44,8 +44,6 @@ std::string why_not_plain(const Scene& scene) {
   if (const int s = first_not_plain(scene.shapes); s >= 0)
     return name_of(scene, scene.shapes[static_cast<std::size_t>(s)]) + " has holes, or is none of the plain kinds";
   for (const PlacedShape& shape : scene.shapes) {
-    if (const TriangleMesh* mesh = shape.shape->triangles(); mesh != nullptr && !mesh->data().turned.empty())
-      return name_of(scene, shape) + " has tangents with signs";
     const Material* const material =
         only_state(scene.materials[static_cast<std::size_t>(shape.material)], scene.frames());
     if (material == nullptr) return "the material of " + name_of(scene, shape) + " differs between frames";

@@ -34,8 +34,7 @@ struct PlainPlacedShape {
 
   /// Returns what PlacedShape::surface_point() returns.
   constexpr SurfaceGeometry surface_point(int primitive, Vec2 uv) const {
-    SurfaceGeometry point =
-        mesh.vertices != nullptr ? mesh.surface_point(primitive, uv, std::nullopt) : shape.surface_point(uv);
+    SurfaceGeometry point = mesh.vertices != nullptr ? mesh.surface_point(primitive, uv) : shape.surface_point(uv);
     if (in_object_space) move_to_world(point, to_world);
     if (flips_normals) flip_normals(point);
     return point;

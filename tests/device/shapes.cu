@@ -26,13 +26,12 @@ struct Place {
 struct OneTriangle {
   MeshView mesh;
   int face;
-  bool turned;
 
   constexpr std::optional<PrimitiveHit> intersect(const Ray& ray) const {
     return dspm::intersect(TriangleRay(ray), mesh.vertex(face, 0), mesh.vertex(face, 1), mesh.vertex(face, 2),
                            ray.t_max);
   }
-  constexpr SurfaceGeometry surface_point(Vec2 at) const { return mesh.surface_point(face, at, turned); }
+  constexpr SurfaceGeometry surface_point(Vec2 at) const { return mesh.surface_point(face, at); }
   constexpr float area() const { return mesh.area(face); }
   constexpr Vec2 sample_area(Vec2 u) const { return MeshView::sample_area(u); }
   constexpr std::optional<Vec2> area_numbers(const Vec3& p) const { return mesh.area_numbers(face, p); }
