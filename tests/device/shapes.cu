@@ -6,6 +6,7 @@
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/transform.h"
 #include "dspm/base/math/vec.h"
+#include "dspm/shapes/bilinearmesh.h"
 #include "dspm/shapes/cylinder.h"
 #include "dspm/shapes/disk.h"
 #include "dspm/shapes/in_world.h"
@@ -45,6 +46,8 @@ struct Input {
   DiskSurface disk;
   CylinderSurface cylinder;
   OneTriangle triangle;
+  PatchMeshView patches;
+  int patch;
 };
 struct Result {
   float t, pdf_a;
@@ -53,7 +56,7 @@ struct Result {
   Vec2 numbers;
 };
 struct Output {
-  Result sphere, disk, cylinder, triangle;
+  Result sphere, disk, cylinder, triangle, patch;
 };
 
 constexpr SurfaceGeometry placed(SurfaceGeometry s, const Place& place) {
@@ -85,5 +88,6 @@ extern "C" __global__ void shapes(const dspm::Input* in, dspm::Output* out) {
   out->disk = result_of(in->disk, *in);
   out->cylinder = result_of(in->cylinder, *in);
   out->triangle = result_of(in->triangle, *in);
+  out->patch = result_of(PatchSurface(in->patches, in->patch), *in);
   if (SphereSurface(in->u.x, 0, in->u.y, half).intersect(in->ray)) out->sphere.t = 0;
 }
