@@ -45,7 +45,7 @@ struct PlainTree {
     std::uint32_t first;
     Placed placed;
 
-    /// See scene_copy.h.
+    /// See plain_copy.h.
     template <class Fn>
     constexpr void each_array(Fn&& fn) {
       placed.each_array(fn);

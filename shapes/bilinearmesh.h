@@ -26,7 +26,7 @@ struct PatchMeshView {
   const Vec2* uvs = nullptr;
   std::size_t vertex_count = 0, patch_count = 0;
 
-  /// See scene_copy.h.
+  /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     fn(vertices, vertex_count);

@@ -28,7 +28,7 @@ class PlainShape {
 
   /// Calls fn(surface) with that of the primitive.
   template <class Fn>
-  constexpr auto of_kind(int primitive, Fn&& fn) const {
+  constexpr auto with_surface(int primitive, Fn&& fn) const {
     switch (kind_) {
       case Kind::sphere: return fn(sphere_);
       case Kind::disk: return fn(disk_);
@@ -48,16 +48,29 @@ class PlainShape {
 
   // Never inlined: trees meet shapes in several places, and devices would have the code of all kinds in each.
   [[gnu::noinline]] constexpr std::optional<PrimitiveHit> intersect(int primitive, const Ray& ray) const {
-    return of_kind(primitive, [&](const auto& surface) { return surface.intersect(ray); });
+    return with_surface(primitive, [&](const auto& surface) { return surface.intersect(ray); });
   }
   constexpr Bounds3 bounds(int primitive) const {
-    return of_kind(primitive, [](const auto& surface) { return surface.bounds(); });
+    return with_surface(primitive, [](const auto& surface) { return surface.bounds(); });
   }
   [[gnu::noinline]] constexpr SurfaceGeometry surface_point(int primitive, Vec2 uv) const {
-    return of_kind(primitive, [&](const auto& surface) { return surface.template surface_point<SurfaceGeometry>(uv); });
+    return with_surface(primitive,
+                        [&](const auto& surface) { return surface.template surface_point<SurfaceGeometry>(uv); });
   }
 
-  /// See scene_copy.h.
+  /// Calls fn(kind) with what it is.
+  template <class Fn>
+  constexpr void of_kind(Fn&& fn) {
+    switch (kind_) {
+      case Kind::sphere: return fn(sphere_);
+      case Kind::disk: return fn(disk_);
+      case Kind::cylinder: return fn(cylinder_);
+      case Kind::patches: return fn(patches_);
+      case Kind::none: break;
+    }
+    fn(nothing_);
+  }
+  /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     if (kind_ == Kind::patches) patches_.each_array(fn);
