@@ -6,7 +6,6 @@
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/vec.h"
-#include "dspm/shapes/beyond_hole.h"
 #include "dspm/shapes/placed_shape.h"
 
 namespace dspm {
@@ -41,14 +40,8 @@ class CutQuery {
 /// `limit` may be one that does not stop it.
 inline std::optional<PrimitiveHit> first_stop(const PlacedShape& placed, int primitive, const Ray& world_ray,
                                               const Ray& ray, float limit = kInfinity) {
-  const Shape& shape = *placed.shape;
-  const auto met = [&](const Ray& part) { return meet(shape, primitive, part); };
-  std::optional<PrimitiveHit> hit = met(ray);
-  while (hit && hit->t <= limit && !placed.stops(world_ray, primitive, hit->uv)) {
-    hit = meet_beyond(shape, primitive, ray, *hit, met);
-    if (hit) hit = not_before_entry(*hit, BoxRay(ray), shape.bounds(primitive), ray.t_max);
-  }
-  return hit;
+  return first_stop(*placed.shape, primitive, ray, limit,
+                    [&](Vec2 uv) { return placed.stops(world_ray, primitive, uv); });
 }
 
 }  // namespace dspm

@@ -7,6 +7,8 @@
 #include "dspm/accel/box_ray.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/vec.h"
+#include "dspm/shapes/beyond_hole.h"
+#include "dspm/shapes/surface_geometry.h"
 #include "dspm/shapes/triangle.h"
 
 namespace dspm {
@@ -18,10 +20,25 @@ constexpr std::optional<PrimitiveHit> not_before_entry(PrimitiveHit hit, const B
   return hit.t < t_max ? std::optional<PrimitiveHit>(hit) : std::nullopt;
 }
 
-/// Returns the hit; `ray` is in the shape's space.
-inline std::optional<PrimitiveHit> meet(const Shape& shape, int primitive, const Ray& ray) {
+/// Returns the hit; `ray` is in the shape's space. AnyShape is Shape or PlainShape.
+template <class AnyShape>
+constexpr std::optional<PrimitiveHit> meet(const AnyShape& shape, int primitive, const Ray& ray) {
   const std::optional<PrimitiveHit> hit = shape.intersect(primitive, ray);
   return hit ? not_before_entry(*hit, BoxRay(ray), shape.bounds(primitive), ray.t_max) : std::nullopt;
+}
+
+/// Returns the first hit that stops the ray: for which stops(uv) holds. A hit beyond `limit` may be one that does not stop
+/// it.
+template <class AnyShape, class Stops>
+constexpr std::optional<PrimitiveHit> first_stop(const AnyShape& shape, int primitive, const Ray& ray, float limit,
+                                                 const Stops& stops) {
+  const auto met = [&](const Ray& part) { return meet(shape, primitive, part); };
+  std::optional<PrimitiveHit> hit = met(ray);
+  while (hit && hit->t <= limit && !stops(hit->uv)) {
+    hit = meet_beyond(shape, primitive, ray, *hit, met);
+    if (hit) hit = not_before_entry(*hit, BoxRay(ray), shape.bounds(primitive), ray.t_max);
+  }
+  return hit;
 }
 
 /// A ray prepared for triangles and their boxes.

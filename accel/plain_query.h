@@ -1,5 +1,6 @@
 // The query of accel.h as devices answer it: one tree of what is the same in all frames, and one a frame of what is not.
-// A device has no room for a nearest distance per frame, so it looks for each frame by itself.
+// A device has no room for a nearest distance per frame, so it looks for each frame by itself. Queries know no textures, so
+// who asks brings the holes of the shapes along (NoHoles).
 #pragma once
 
 #include <cstddef>
@@ -27,35 +28,37 @@ struct PlainQuery {
     fn(of_frame, frame_count);
   }
 
-  /// Returns what Accel::partition() returns.
-  constexpr HitPartition partition(const Ray& r, FrameSet frames) const {
+  /// Returns what Accel::partition() returns if shapes have these holes.
+  template <class Holes>
+  constexpr HitPartition partition(const Ray& r, FrameSet frames, const Holes& holes) const {
     HitPartition parts;
     const PlainRay ray(r, margins);
     NearestHit nearest(frames, r.t_max);
-    find(still, ray, nearest);
+    find(still, ray, nearest, holes);
     if (!enters(moving, ray, nearest.limit())) {
       if (!frames.empty()) parts.add(frames, nearest.hit());
       return parts;
     }
     frames.for_each([&](Frame f) {
       NearestHit own = nearest.in(FrameSet::single(f));
-      find(moving_in(f), ray, own);
+      find(moving_in(f), ray, own, holes);
       add(parts, f, own.hit());
     });
     return parts;
   }
 
-  /// Returns what Accel::occluded() returns.
-  constexpr FrameSet occluded(const Ray& r, FrameSet frames) const {
+  /// Returns what Accel::occluded() returns if shapes have these holes.
+  template <class Holes>
+  constexpr FrameSet occluded(const Ray& r, FrameSet frames, const Holes& holes) const {
     const PlainRay ray(r, margins);
     AnyHit any(frames, r.t_max);
-    find(still, ray, any);
+    find(still, ray, any, holes);
     if (any.found()) return frames;
     FrameSet blocked;
     if (!enters(moving, ray, r.t_max)) return blocked;
     frames.for_each([&](Frame f) {
       AnyHit own(FrameSet::single(f), r.t_max);
-      find(moving_in(f), ray, own);
+      find(moving_in(f), ray, own, holes);
       if (own.found()) blocked |= FrameSet::single(f);
     });
     return blocked;

@@ -23,19 +23,32 @@
 namespace dspm {
 
 struct PlainTree {
-  /// A placed object: a mesh in its own space, or a shape of one primitive.
+  /// A placed object: a shape with a tree in its own space, or one of a shape's primitives.
   struct Placed {
     Transform to_world;
     bool in_object_space = false;
     FrameSet frames;
     int number = 0;                   // of the shape, among all placed shapes
-    const PlainTree* mesh = nullptr;  // null: it is `shape`
+    const PlainTree* mesh = nullptr;  // null: it is a primitive of `shape`
     PlainShape shape = {};
+    int primitive = 0;
 
     /// See plain_copy.h.
     template <class Fn>
     constexpr void each_array(Fn&& fn) {
       fn(mesh, 1);
+      shape.each_array(fn);
+    }
+  };
+  /// A shape whose primitives are the leaves kOfCrowd + first, ... + 1, ...
+  struct Crowd {
+    std::uint32_t first;
+    Placed placed;
+
+    /// See plain_copy.h.
+    template <class Fn>
+    constexpr void each_array(Fn&& fn) {
+      placed.each_array(fn);
     }
   };
 
@@ -43,10 +56,11 @@ struct PlainTree {
   const Bvh::NodeFrames* node_frames = nullptr;  // null: everything is there in all frames
   const TrianglePacket* packets = nullptr;
   const Placed* placed = nullptr;
+  const Crowd* crowds = nullptr;
   const FrameSet* frames = nullptr;  // by shape
   std::uint32_t root = 0;
   float margins = 1;  // see Tree::margins()
-  std::size_t node_count = 0, packet_count = 0, placed_count = 0, shape_count = 0;
+  std::size_t node_count = 0, packet_count = 0, placed_count = 0, crowd_count = 0, shape_count = 0;
 
   constexpr bool empty() const { return nodes == nullptr; }
   /// See plain_copy.h.
@@ -56,7 +70,17 @@ struct PlainTree {
     fn(node_frames, node_count);
     fn(packets, packet_count);
     fn(placed, placed_count);
+    fn(crowds, crowd_count);
     fn(frames, shape_count);
+  }
+
+  /// Returns the object in a leaf from kPlaced on, and sets which of its primitives it is.
+  constexpr const Placed& placed_at(std::uint32_t leaf, int& primitive) const {
+    if (leaf < kOfCrowd) return primitive = placed[leaf - kPlaced].primitive, placed[leaf - kPlaced];
+    const Crowd* crowd = crowds + crowd_count - 1;
+    while (crowd->first > leaf - kOfCrowd) --crowd;
+    primitive = static_cast<int>(leaf - kOfCrowd - crowd->first);
+    return crowd->placed;
   }
 };
 
@@ -111,13 +135,33 @@ constexpr void traverse(const PlainTree& tree, const BoxRay& ray, Query& query, 
   }
 }
 
-template <class Query>
-constexpr void find_in(const TrianglePacket& packet, const MeshRay& ray, const FrameSet* frames, Query& query) {
+/// The holes of shapes that have none. Those of others are told by a class of the same function.
+struct NoHoles {
+  /// Returns what PlacedShape::stops() returns; `shape` is its number, the ray is in the world.
+  static constexpr bool stops(int /*shape*/, const Ray& /*ray*/, int /*primitive*/, Vec2 /*uv*/) { return true; }
+};
+
+/// What a ray of the world passes through: the holes of all shapes, or those of the one in whose space it is.
+template <class Holes>
+struct RayInHoles {
+  const Holes& holes;
+  const Ray& world_ray;
+  int whole = -1;
+
+  constexpr bool stopped(int shape, int primitive, Vec2 uv) const {
+    return holes.stops(whole < 0 ? shape : whole, world_ray, primitive, uv);
+  }
+};
+
+template <class Query, class Holes>
+constexpr void find_in(const TrianglePacket& packet, const MeshRay& ray, const FrameSet* frames, Query& query,
+                       const RayInHoles<Holes>& in_holes) {
   for (std::size_t lane = 0; lane < TrianglePacket::kSize; ++lane) {
     const int shape = packet.shape[lane];
     if (shape < 0 || (frames[shape] & query.frames()).empty()) continue;
     const auto hit = meet(ray, packet.corner(lane, 0), packet.corner(lane, 1), packet.corner(lane, 2));
-    if (hit) query.offer({hit->t, shape, packet.primitive[lane], hit->uv}, frames[shape] & query.frames());
+    if (!hit || hit->t > query.limit() || !in_holes.stopped(shape, packet.primitive[lane], hit->uv)) continue;
+    query.offer({hit->t, shape, packet.primitive[lane], hit->uv}, frames[shape] & query.frames());
   }
 }
 
@@ -133,12 +177,6 @@ constexpr void for_each_packet(const PlainTree& tree, std::uint32_t leaf, Fn&& f
 constexpr bool is_nowhere(const BoxRay& ray) {
   const auto has_nan = [](const Vec3& v) { return v.x != v.x || v.y != v.y || v.z != v.z; };
   return has_nan(ray.near_origin) || has_nan(ray.inverse);
-}
-
-/// Returns the hit; `ray` is in the shape's space.
-constexpr std::optional<PrimitiveHit> meet(const PlainShape& shape, const Ray& ray) {
-  const std::optional<PrimitiveHit> hit = shape.intersect(ray);
-  return hit ? not_before_entry(*hit, BoxRay(ray), shape.bounds(), ray.t_max) : std::nullopt;
 }
 
 /// Offers what was found on the shape in its own space.
@@ -167,30 +205,46 @@ constexpr bool enters(const PlainTree& tree, const PlainRay& ray, float limit) {
   return !tree.empty() && !is_nowhere(ray.box) && entered_children(tree.nodes[tree.root], ray.box, limit, entry) != 0;
 }
 
-/// Offers the ray's hits on triangles to `query`, and calls at(const PlainTree::Placed&) for the placed objects that it may
-/// hit.
-template <class Query, class AtPlaced>
-constexpr void find(const PlainTree& tree, const PlainRay& ray, Query& query, const AtPlaced& at) {
+/// Offers the ray's hits on triangles to `query`, and calls at(const PlainTree::Placed&, primitive) for the placed objects
+/// that it may hit.
+template <class Query, class Holes, class AtPlaced>
+constexpr void find(const PlainTree& tree, const PlainRay& ray, Query& query, const RayInHoles<Holes>& in_holes,
+                    const AtPlaced& at) {
   if (tree.empty() || is_nowhere(ray.box)) return;
   traverse(tree, ray.box, query, [&](std::uint32_t leaf) {
-    if (leaf >= kPlaced) return at(tree.placed[leaf - kPlaced]);
-    for_each_packet(tree, leaf, [&](const TrianglePacket& packet) { find_in(packet, ray.mesh, tree.frames, query); });
+    if (leaf >= kPlaced) {
+      int primitive = 0;
+      const PlainTree::Placed& placed = tree.placed_at(leaf, primitive);
+      return at(placed, primitive);
+    }
+    for_each_packet(tree, leaf,
+                    [&](const TrianglePacket& packet) { find_in(packet, ray.mesh, tree.frames, query, in_holes); });
   });
 }
 
+/// Offers the hit on a primitive that stops the ray, which is in the shape's space.
+template <class Query, class Holes>
+constexpr void find_in(const PlainTree::Placed& placed, int primitive, FrameSet frames, const Ray& ray, Query& query,
+                       const RayInHoles<Holes>& in_holes) {
+  const auto hit = first_stop(placed.shape, primitive, ray, query.limit(),
+                              [&](Vec2 uv) { return in_holes.stopped(placed.number, primitive, uv); });
+  if (hit) query.offer({hit->t, placed.number, primitive, hit->uv}, frames);
+}
+
 /// Offers the ray's hits to `query`.
-template <class Query>
-constexpr void find(const PlainTree& tree, const PlainRay& ray, Query& query) {
-  find(tree, ray, query, [&](const PlainTree::Placed& placed) {
+template <class Query, class Holes>
+constexpr void find(const PlainTree& tree, const PlainRay& ray, Query& query, const Holes& holes) {
+  const RayInHoles<Holes> in_holes{holes, ray.ray};
+  find(tree, ray, query, in_holes, [&](const PlainTree::Placed& placed, int primitive) {
     const FrameSet frames = placed.frames & query.frames();
     if (frames.empty()) return;
     const Ray own_ray = placed.in_object_space ? placed.to_world.inverse_ray(ray.ray) : ray.ray;
-    if (placed.mesh == nullptr) {
-      if (const auto hit = meet(placed.shape, own_ray)) query.offer({hit->t, placed.number, 0, hit->uv}, frames);
-      return;
-    }
-    Query own(FrameSet::single(0), query.limit());
-    find(*placed.mesh, PlainRay(own_ray, placed.mesh->margins), own, [](const PlainTree::Placed&) {});
+    if (placed.mesh == nullptr) return find_in(placed, primitive, frames, own_ray, query, in_holes);
+    const RayInHoles<Holes> in_own{holes, ray.ray, placed.number};
+    const FrameSet only = FrameSet::single(0);
+    Query own(only, query.limit());
+    find(*placed.mesh, PlainRay(own_ray, placed.mesh->margins), own, in_own,
+         [&](const PlainTree::Placed& part, int of_part) { find_in(part, of_part, only, own_ray, own, in_own); });
     pass_on(own, placed.number, frames, query);
   });
 }

@@ -9,7 +9,7 @@ namespace dspm {
 
 int first_not_plain(std::span<const PlacedShape> shapes) {
   const auto is_plain = [](const PlacedShape& s) {
-    return s.cutout == nullptr && (s.shape->triangles() != nullptr || s.shape->plain().has_value());
+    return s.shape->triangles() != nullptr || s.shape->plain().has_value();
   };
   const auto found = std::ranges::find_if_not(shapes, is_plain);
   return found == shapes.end() ? -1 : static_cast<int>(found - shapes.begin());
@@ -25,26 +25,37 @@ PlainTrees::PlainTrees(const TwoLevel& trees) {
 
 PlainTree PlainTrees::plain(const Tree& tree) {
   if (tree.empty()) return {};
+  const auto plain_of = [](const PlacedShape& shape, int number, int primitive) {
+    PlainTree::Placed own;
+    own.to_world = shape.to_world, own.in_object_space = shape.in_object_space();
+    own.frames = shape.frames, own.number = number, own.primitive = primitive;
+    return own;
+  };
   std::vector<PlainTree::Placed>& placed = placed_.emplace_back();
   for (const Tree::Placed& p : tree.placed_) {
-    PlainTree::Placed& own = placed.emplace_back();
-    own.to_world = p.shape->to_world, own.in_object_space = p.shape->in_object_space();
-    own.frames = p.shape->frames, own.number = p.number;
+    PlainTree::Placed& own = placed.emplace_back(plain_of(*p.shape, p.number, p.primitive));
     if (p.mesh != nullptr)
       own.mesh = mesh(*p.mesh);
     else
       own.shape = *p.shape->shape->plain();
   }
+  std::vector<PlainTree::Crowd>& crowds = crowds_.emplace_back();
+  for (const Tree::PlacedCrowd& c : tree.crowds_) {
+    crowds.push_back({c.first, plain_of(*c.shape, c.number, 0)});
+    crowds.back().placed.shape = *c.shape->shape->plain();
+  }
   return {.nodes = tree.bvh_.nodes.data(),
           .node_frames = tree.bvh_.node_frames.empty() ? nullptr : tree.bvh_.node_frames.data(),
           .packets = tree.packets_.data(),
           .placed = placed.data(),
+          .crowds = crowds.data(),
           .frames = tree.frames_.data(),
           .root = tree.bvh_.root,
           .margins = tree.margins_,
           .node_count = tree.bvh_.nodes.size(),
           .packet_count = tree.packets_.size(),
           .placed_count = placed.size(),
+          .crowd_count = crowds.size(),
           .shape_count = tree.frames_.size()};
 }
 

@@ -28,12 +28,13 @@ class PlainTrees {
 
   std::map<const Tree*, PlainTree> meshes_;  // lookups only; their addresses stay
   std::deque<std::vector<PlainTree::Placed>> placed_;
+  std::deque<std::vector<PlainTree::Crowd>> crowds_;
   std::vector<PlainTree> of_frame_;
   PlainQuery query_;
 };
 
-/// Returns the number of the first shape that a plain query does not know: one with holes, or that has no plain form; -1 if
-/// there is none.
+/// Returns the number of the first shape that has no plain form, so that a plain query does not know it; -1 if there is
+/// none.
 int first_not_plain(std::span<const PlacedShape> shapes);
 
 }  // namespace dspm

@@ -15,19 +15,17 @@
 //
 // [Reshetov 2019, Cool Patches, in Ray Tracing Gems, ch. 8; Pharr, Jakob, Humphreys, Physically Based Rendering, 4th
 // ed., 6.6]
+#include "dspm/shapes/bilinearmesh.h"
+
 #include "dspm/base/math/ray.h"
-#include "dspm/base/math/rounding.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
-#include "dspm/shapes/bilinear_patch.h"
 #include "dspm/shapes/mesh_params.h"
+#include "dspm/shapes/plain_shape.h"
 #include "dspm/shapes/shape.h"
 
 namespace dspm {
 namespace {
-
-/// A patch's corners, as indices: p00, p10, p01, p11.
-using PatchCorners = std::array<int, 4>;
 
 struct PatchMesh {
   std::vector<Vec3> vertices;
@@ -36,97 +34,34 @@ struct PatchMesh {
   std::vector<PatchCorners> patches;
 };
 
-template <class T>
-T interpolated(const std::vector<T>& values, const PatchCorners& corners, Vec2 uv) {
-  const auto at = [&](std::size_t c) { return values[static_cast<std::size_t>(corners[c])]; };
-  return (at(0) * (1 - uv.x) + at(1) * uv.x) * (1 - uv.y) + (at(2) * (1 - uv.x) + at(3) * uv.x) * uv.y;
-}
-
 class BilinearMesh final : public Shape {
  public:
   explicit BilinearMesh(PatchMesh mesh) : mesh_(std::move(mesh)) {}
 
   int primitive_count() const override { return static_cast<int>(mesh_.patches.size()); }
-
-  Bounds3 bounds(int primitive) const override {
-    Bounds3 b;
-    for (const int v : corners(primitive)) b.add(vertex(v));
-    return b;
-  }
-
+  Bounds3 bounds(int primitive) const override { return PatchSurface(view(), primitive).bounds(); }
   std::optional<PrimitiveHit> intersect(int primitive, const Ray& ray) const override {
-    return patch(primitive).intersect(ray);
+    return PatchSurface(view(), primitive).intersect(ray);
   }
-
   SurfacePoint surface_point(int primitive, Vec2 uv) const override {
-    const BilinearPatch p = patch(primitive);
-    const Bounds3 box = bounds(primitive);
-    const float size_error = gamma_bound(4) * max_component(box.high - box.low);
-    SurfacePoint s;
-    s.p = narrow(p.at(uv.x, uv.y));
-    s.p_error = gamma_bound(2) * abs(s.p) + Vec3{size_error, size_error, size_error};
-    s.ng = normal_of(p, uv);
-    s.ns = s.ng;
-    if (!mesh_.normals.empty()) {
-      const Vec3 n = interpolated(mesh_.normals, corners(primitive), uv);
-      if (dot(n, s.ng) < 0) s.ng = -s.ng;
-      s.ns = length2(n) > 0 && dot(n, s.ng) > 0 ? normalize(n) : s.ng;
-    }
-    s.uv = mesh_.uvs.empty() ? uv : interpolated(mesh_.uvs, corners(primitive), uv);
-    set_tangents(s, p, corners(primitive), uv);
-    return s;
+    return PatchSurface(view(), primitive).surface_point<SurfacePoint>(uv);
   }
-
-  float area(int primitive) const override { return static_cast<float>(patch(primitive).area()); }
-
-  Vec2 sample_area(int primitive, Vec2 u) const override {
-    const auto uv = patch(primitive).uniform(u);
-    return {static_cast<float>(uv[0]), static_cast<float>(uv[1])};
-  }
-
+  float area(int primitive) const override { return PatchSurface(view(), primitive).area(); }
+  Vec2 sample_area(int primitive, Vec2 u) const override { return PatchSurface(view(), primitive).sample_area(u); }
   std::optional<Vec2> area_numbers(int primitive, const Vec3& p) const override {
-    const BilinearPatch on = patch(primitive);
-    const auto uv = on.parameters(p);
-    if (!uv) return std::nullopt;
-    const Vec2 numbers = on.uniform_numbers((*uv)[0], (*uv)[1]);
-    return std::isfinite(numbers.x) && std::isfinite(numbers.y) ? std::optional(numbers) : std::nullopt;
+    return PatchSurface(view(), primitive).area_numbers(p);
   }
+  std::optional<PlainShape> plain() const override { return view(); }
 
  private:
-  const PatchCorners& corners(int primitive) const { return mesh_.patches[static_cast<std::size_t>(primitive)]; }
-  const Vec3& vertex(int v) const { return mesh_.vertices[static_cast<std::size_t>(v)]; }
-  BilinearPatch patch(int primitive) const {
-    const PatchCorners& c = corners(primitive);
-    return {vertex(c[0]), vertex(c[1]), vertex(c[2]), vertex(c[3])};
-  }
-
-  /// Returns the normal; in a corner or on an edge without one, that of the middle.
-  static Vec3 normal_of(const BilinearPatch& p, Vec2 uv) {
-    for (const Vec2 place : {uv, Vec2{0.5f, 0.5f}}) {
-      const DoubleVec3 n = p.normal(place.x, place.y);
-      if (length(n) > 0) return narrow(n * (1 / length(n)));
-    }
-    return {0, 0, 1};
-  }
-
-  /// Sets dp/ds along the first texture coordinate s; any tangent if there is none. The derivatives by texture
-  /// coordinates are those by u and v times the inverse of the coordinates' own.
-  void set_tangents(SurfacePoint& s, const BilinearPatch& p, const PatchCorners& c, Vec2 uv) const {
-    const Vec3 by_u = narrow(p.along_u(uv.y)), by_v = narrow(p.along_v(uv.x));
-    s.dpdu = by_u, s.dpdv = by_v;
-    if (!mesh_.uvs.empty()) {
-      const auto st = [&](std::size_t i) { return mesh_.uvs[static_cast<std::size_t>(c[i])]; };
-      const Vec2 st_by_u = (st(1) - st(0)) * (1 - uv.y) + (st(3) - st(2)) * uv.y;
-      const Vec2 st_by_v = (st(2) - st(0)) * (1 - uv.x) + (st(3) - st(1)) * uv.x;
-      const float determinant = st_by_u.x * st_by_v.y - st_by_v.x * st_by_u.y;
-      s.dpdu = (by_u * st_by_v.y - by_v * st_by_u.y) / determinant;
-      s.dpdv = (by_v * st_by_u.x - by_u * st_by_v.x) / determinant;
-    }
-    if (is_finite(s.dpdu) && length2(cross(s.ng, s.dpdu)) > 0) {
-      if (!is_finite(s.dpdv)) s.dpdv = {};
-      return;
-    }
-    s.dpdu = Basis::around(s.ng).x, s.dpdv = {};
+  PatchMeshView view() const {
+    const auto array = [](const auto& of_vertices) { return of_vertices.empty() ? nullptr : of_vertices.data(); };
+    return {.vertices = mesh_.vertices.data(),
+            .patches = mesh_.patches.data(),
+            .normals = array(mesh_.normals),
+            .uvs = array(mesh_.uvs),
+            .vertex_count = mesh_.vertices.size(),
+            .patch_count = mesh_.patches.size()};
   }
 
   PatchMesh mesh_;

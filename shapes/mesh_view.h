@@ -6,6 +6,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 #include "dspm/base/math/double_vec.h"
@@ -28,7 +29,8 @@ struct MeshView {
   const Face* faces = nullptr;
   const Vec3* normals = nullptr;  // unit length, or zero
   const Vec2* uvs = nullptr;
-  const Vec3* tangents = nullptr;  // along u, of any length
+  const Vec3* tangents = nullptr;        // along u, of any length
+  const std::uint8_t* turned = nullptr;  // 0 or 1, beside tangents: whether v runs against cross(n, tangent)
   std::size_t vertex_count = 0, face_count = 0;
 
   /// See plain_copy.h.
@@ -39,6 +41,7 @@ struct MeshView {
     fn(normals, vertex_count);
     fn(uvs, vertex_count);
     fn(tangents, vertex_count);
+    fn(turned, vertex_count);
   }
 
   constexpr std::size_t index(int face, int corner) const {
@@ -53,10 +56,9 @@ struct MeshView {
     return corners_of(uvs, face);
   }
 
-  /// Returns the surface at a triangle's point, whose second and third vertex have the barycentrics `at`. `turned`:
-  /// whether v runs against cross(n, tangent) at the triangle's first vertex, if that is given along with tangents.
+  /// Returns the surface at a triangle's point, whose second and third vertex have the barycentrics `at`.
   template <std::derived_from<SurfaceGeometry> Point = SurfaceGeometry>
-  constexpr Point surface_point(int face, Vec2 at, std::optional<bool> turned) const {
+  constexpr Point surface_point(int face, Vec2 at) const {
     const Vec3 &p0 = vertex(face, 0), &p1 = vertex(face, 1), &p2 = vertex(face, 2);
     const Vec3 b{1 - at.x - at.y, at.x, at.y};
     const Vec3 c0 = p0 * b.x, c1 = p1 * b.y, c2 = p2 * b.z;
@@ -76,7 +78,7 @@ struct MeshView {
       set_tangents(s, face, t);
       s.uv = t[0] * b.x + t[1] * b.y + t[2] * b.z;
     }
-    if (tangents != nullptr) take_given_tangent(s, face, b, turned);
+    if (tangents != nullptr) take_given_tangent(s, face, b);
     return s;
   }
 
@@ -123,13 +125,13 @@ struct MeshView {
     if (usable && is_finite(dpdv)) point.dpdv = dpdv;
   }
 
-  // Takes the given tangent. It is a direction, so the derivative keeps its length.
-  constexpr void take_given_tangent(SurfaceGeometry& point, int face, const Vec3& barycentrics,
-                                    std::optional<bool> turned) const {
+  // Takes the given tangent. It is a direction, so the derivative keeps its length. The sign is that of the triangle's first
+  // vertex.
+  constexpr void take_given_tangent(SurfaceGeometry& point, int face, const Vec3& barycentrics) const {
     const Vec3 given = at_point(tangents, face, barycentrics), across = cross(point.ns, given);
     if (!is_finite(given) || !(length2(across) > 0)) return;
     point.dpdu = given * (length(point.dpdu) / length(given));
-    if (turned && (dot(across, point.dpdv) < 0) != *turned) point.dpdv = -point.dpdv;
+    if (turned != nullptr && (dot(across, point.dpdv) < 0) != (turned[index(face, 0)] != 0)) point.dpdv = -point.dpdv;
   }
 };
 

@@ -1,11 +1,9 @@
 #include "dspm/shapes/placed_shape.h"
 
-#include <bit>
 #include <cstring>
 #include <type_traits>
 
 #include "dspm/base/math/ray.h"
-#include "dspm/base/math/rng.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/shapes/beyond_hole.h"
 #include "dspm/shapes/in_world.h"
@@ -13,21 +11,6 @@
 
 namespace dspm {
 namespace {
-
-/// Returns a number in [0, 1) that is a function of a ray's bits and of the point at which it meets a shape.
-float number_of(const Ray& ray, std::uint64_t shape, int primitive, Vec2 uv) {
-  std::uint64_t key = mix_bits(shape + 1);
-  const auto absorb = [&](std::uint32_t a, std::uint32_t b) {
-    key = mix_bits(key + 0x9e3779b97f4a7c15u * ((std::uint64_t{a} << 32 | b) + 1));
-  };
-  const auto bits = [](float x) { return std::bit_cast<std::uint32_t>(x); };
-  absorb(static_cast<std::uint32_t>(primitive), bits(ray.direction.z));
-  absorb(bits(ray.origin.x), bits(ray.origin.y));
-  absorb(bits(ray.origin.z), bits(ray.direction.x));
-  absorb(bits(ray.direction.y), bits(uv.x));
-  absorb(bits(uv.y), 0);
-  return static_cast<float>(key >> 40) * 0x1p-24f;
-}
 
 bool same_bits(const Transform& a, const Transform& b) {
   static_assert(std::is_trivially_copyable_v<Transform>);
@@ -89,8 +72,7 @@ float PlacedShape::pdf_a(int primitive, const Vec3& ng) const {
 bool PlacedShape::stops(const Ray& ray, int primitive, Vec2 uv) const {
   if (cutout == nullptr) return true;
   const SurfacePoint point = surface_point(primitive, uv);
-  const float alpha = cutout->alpha(point);
-  return alpha >= 1 || (alpha > 0 && number_of(ray, cutout_key, primitive, uv) < alpha);
+  return dspm::stops(cutout->alpha(point), ray, cutout_key, primitive, uv);
 }
 
 std::optional<Vec2> PlacedShape::area_numbers(int primitive, const Vec3& p) const {

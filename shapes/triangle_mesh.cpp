@@ -68,7 +68,7 @@ TriangleMesh TriangleMesh::transformed(const Transform& to_world) const {
   for (Vec3& t : world.tangents) t = to_world.vector(t);
   if (to_world.swaps_handedness()) {
     for (Face& f : world.faces) std::swap(f[1], f[2]);
-    world.turned.flip();
+    for (std::uint8_t& turned : world.turned) turned = turned == 0;
   }
   return TriangleMesh(std::move(world));
 }
@@ -79,7 +79,7 @@ std::size_t TriangleMesh::memory() const {
           data_.velocities.capacity()) *
              sizeof(Vec3) +
          (data_.uvs.capacity() + data_.second_uvs.capacity()) * sizeof(Vec2) +
-         data_.colours.capacity() * sizeof data_.colours[0] + data_.turned.capacity() / 8 +
+         data_.colours.capacity() * sizeof data_.colours[0] + data_.turned.capacity() +
          data_.faces.capacity() * sizeof(Face);
 }
 
@@ -100,14 +100,13 @@ MeshView TriangleMesh::view() const {
           .normals = array(data_.normals),
           .uvs = array(data_.uvs),
           .tangents = array(data_.tangents),
+          .turned = array(data_.turned),
           .vertex_count = data_.vertices.size(),
           .face_count = data_.faces.size()};
 }
 
 SurfacePoint TriangleMesh::surface_point(int primitive, Vec2 uv) const {
-  std::optional<bool> turned;
-  if (!data_.turned.empty()) turned = data_.turned[static_cast<std::size_t>(index(primitive, 0))];
-  SurfacePoint s = view().surface_point<SurfacePoint>(primitive, uv, turned);
+  SurfacePoint s = view().surface_point<SurfacePoint>(primitive, uv);
   if (!data_.second_uvs.empty() || !data_.colours.empty()) s.vertices = {this, primitive, uv};
   return s;
 }

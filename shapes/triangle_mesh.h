@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -26,9 +27,9 @@ struct MeshData {
   std::vector<Vec3> normals;  // one per vertex, any length, or none
   std::vector<Vec2> uvs;      // one per vertex, or none
   std::vector<Face> faces;
-  std::vector<Vec3> tangents = {};                 // along u, one per vertex, any length, or none
-  std::vector<bool> turned = {};                   // whether v runs against cross(n, tangent); one per vertex, or none
-  std::vector<Vec2> second_uvs = {};               // one per vertex, or none
+  std::vector<Vec3> tangents = {};        // along u, one per vertex, any length, or none
+  std::vector<std::uint8_t> turned = {};  // 1: v runs against cross(n, tangent), else 0; one per vertex, or none
+  std::vector<Vec2> second_uvs = {};      // one per vertex, or none
   std::vector<std::array<float, 4>> colours = {};  // likewise: linear red, green, blue, and opacity
   std::vector<Vec3> velocities = {};               // likewise: see moved() in deform.h
 };

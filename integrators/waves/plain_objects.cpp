@@ -4,6 +4,7 @@
 
 #include "dspm/accel/two_level.h"
 #include "dspm/base/math/frames.h"
+#include "dspm/shapes/cutout.h"
 #include "dspm/shapes/triangle_mesh.h"
 
 namespace dspm {
@@ -20,7 +21,8 @@ const Material* only_state(const FrameStates<Material>& material, FrameSet all) 
                                                                                 : nullptr;
 }
 
-PlainPlacedShape plain(const Scene& scene, std::size_t index) {
+/// `alphas` keeps the texture of its holes.
+PlainPlacedShape plain(const Scene& scene, std::size_t index, std::deque<PlainTexture<float>>& alphas) {
   const PlacedShape& placed = scene.shapes[index];
   PlainPlacedShape shape;
   if (const TriangleMesh* mesh = placed.shape->triangles())
@@ -30,6 +32,8 @@ PlainPlacedShape plain(const Scene& scene, std::size_t index) {
   shape.to_world = placed.to_world, shape.in_object_space = placed.in_object_space();
   shape.flips_normals = placed.flip_normals, shape.caustics = placed.caustics, shape.material = placed.material;
   shape.emits = placed.light >= 0, shape.catches_shadows = scene.is_catcher(static_cast<int>(index));
+  if (placed.cutout != nullptr) shape.alpha = &alphas.emplace_back(*placed.cutout->plain());
+  shape.cutout_key = placed.cutout_key;
   return shape;
 }
 
@@ -42,10 +46,10 @@ std::string why_not_plain(const Scene& scene) {
   if (scene.disperses) return "a body refracts light by its wavelength";
   if (dynamic_cast<const TwoLevel*>(scene.accel.get()) == nullptr) return "the accelerator is not \"two-level\"";
   if (const int s = first_not_plain(scene.shapes); s >= 0)
-    return name_of(scene, scene.shapes[static_cast<std::size_t>(s)]) + " has holes, or is none of the plain kinds";
+    return name_of(scene, scene.shapes[static_cast<std::size_t>(s)]) + " is none of the plain kinds";
   for (const PlacedShape& shape : scene.shapes) {
-    if (const TriangleMesh* mesh = shape.shape->triangles(); mesh != nullptr && !mesh->data().turned.empty())
-      return name_of(scene, shape) + " has tangents with signs";
+    if (shape.cutout != nullptr && !shape.cutout->plain())
+      return name_of(scene, shape) + " has holes by a texture that has no plain form";
     const Material* const material =
         only_state(scene.materials[static_cast<std::size_t>(shape.material)], scene.frames());
     if (material == nullptr) return "the material of " + name_of(scene, shape) + " differs between frames";
@@ -57,7 +61,7 @@ std::string why_not_plain(const Scene& scene) {
 
 PlainObjects::PlainObjects(const Scene& scene) : trees_(dynamic_cast<const TwoLevel&>(*scene.accel)) {
   shapes_.reserve(scene.shapes.size());
-  for (std::size_t shape = 0; shape < scene.shapes.size(); ++shape) shapes_.push_back(plain(scene, shape));
+  for (std::size_t shape = 0; shape < scene.shapes.size(); ++shape) shapes_.push_back(plain(scene, shape, alphas_));
   materials_.reserve(scene.materials.size());
   for (const FrameStates<Material>& material : scene.materials) {
     const Material* const state = only_state(material, scene.frames());

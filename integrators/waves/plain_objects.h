@@ -2,12 +2,14 @@
 // scene has no plain form.
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "dspm/accel/plain_trees.h"
 #include "dspm/integrators/waves/plain_scene.h"
+#include "dspm/textures/plain_texture.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {
@@ -25,6 +27,7 @@ class PlainObjects {
 
  private:
   PlainTrees trees_;
+  std::deque<PlainTexture<float>> alphas_;
   std::vector<PlainPlacedShape> shapes_;
   std::vector<PlainMaterial> materials_;
   PlainScene plain_;

@@ -3,20 +3,25 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "dspm/accel/plain_query.h"
 #include "dspm/accel/ray_hit.h"
+#include "dspm/base/math/frames.h"
+#include "dspm/base/math/ray.h"
 #include "dspm/base/math/transform.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/plain_material.h"
+#include "dspm/shapes/cutout.h"
 #include "dspm/shapes/in_world.h"
 #include "dspm/shapes/mesh_view.h"
 #include "dspm/shapes/plain_shape.h"
 #include "dspm/shapes/surface_geometry.h"
+#include "dspm/textures/plain_texture.h"
 
 namespace dspm {
 
-/// A shape at its place in the world: a mesh, or a shape of one primitive.
+/// A shape at its place in the world: a mesh of triangles, or another shape.
 struct PlainPlacedShape {
   MeshView mesh;  // without vertices: it is `shape`
   PlainShape shape;
@@ -25,20 +30,36 @@ struct PlainPlacedShape {
   bool caustics = true;  // see PlacedShape
   bool emits = false, catches_shadows = false;
   int material = 0;
+  const PlainTexture<float>* alpha = nullptr;  // null: it has no holes
+  std::uint64_t cutout_key = 0;                // see PlacedShape
 
   /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     mesh.each_array(fn);
+    shape.each_array(fn);
+    fn(alpha, 1);
   }
 
   /// Returns what PlacedShape::surface_point() returns.
   constexpr SurfaceGeometry surface_point(int primitive, Vec2 uv) const {
     SurfaceGeometry point =
-        mesh.vertices != nullptr ? mesh.surface_point(primitive, uv, std::nullopt) : shape.surface_point(uv);
+        mesh.vertices != nullptr ? mesh.surface_point(primitive, uv) : shape.surface_point(primitive, uv);
     if (in_object_space) move_to_world(point, to_world);
     if (flips_normals) flip_normals(point);
     return point;
+  }
+
+  /// Returns what PlacedShape::stops() returns.
+  constexpr bool stops(const Ray& ray, int primitive, Vec2 uv) const {
+    return alpha == nullptr || stops_by_alpha(ray, primitive, uv);
+  }
+
+ private:
+  /// Never inlined: few shapes have holes, and queries ask in several places.
+  [[gnu::noinline]] constexpr bool stops_by_alpha(const Ray& ray, int primitive, Vec2 uv) const {
+    const SurfaceGeometry point = surface_point(primitive, uv);
+    return dspm::stops(alpha->at({point.p, point.uv}), ray, cutout_key, primitive, uv);
   }
 };
 
@@ -57,6 +78,22 @@ struct PlainScene {
   }
 
   constexpr const PlainPlacedShape& shape_of(const RayHit& hit) const { return shapes[hit.shape]; }
+};
+
+/// The query of a scene, with the holes of its shapes.
+struct PlainSceneQuery {
+  const PlainScene& scene;
+
+  constexpr HitPartition partition(const Ray& ray, FrameSet frames) const {
+    return scene.query.partition(ray, frames, *this);
+  }
+  constexpr FrameSet occluded(const Ray& ray, FrameSet frames) const {
+    return scene.query.occluded(ray, frames, *this);
+  }
+
+  constexpr bool stops(int shape, const Ray& ray, int primitive, Vec2 uv) const {
+    return scene.shapes[shape].stops(ray, primitive, uv);
+  }
 };
 
 }  // namespace dspm

@@ -61,7 +61,7 @@ struct PhotonSteps : WaveStepOut<PhotonState> {
   }
   constexpr void operator()(std::size_t i) const {
     Out out{*this, {sums + i / kSharers * WaveSums::of_photons(all)}};
-    step(scene, scene.query, wave, paths[i], out);
+    step(scene, PlainSceneQuery{scene}, wave, paths[i], out);
   }
 
  private:
@@ -114,7 +114,7 @@ struct CameraSteps : WaveStepOut<CameraState> {
   }
   constexpr void operator()(std::size_t i) const {
     Out out{*this, {sums + i / kSharers * WaveSums::of_camera()}};
-    step(scene, scene.query, wave, paths[i], out);
+    step(scene, PlainSceneQuery{scene}, wave, paths[i], out);
   }
 
  private:

@@ -88,15 +88,27 @@ TEST_P(Agreement, OnRandomScenes) {
 /// A plain query as an Accel.
 class Plain final : public Accel {
  public:
-  explicit Plain(const TwoLevel& trees) : plain_(trees) {}
+  Plain(const TwoLevel& trees, std::span<const PlacedShape> shapes) : plain_(trees), shapes_(shapes) {}
   HitPartition partition(const Ray& ray, FrameSet frames) const override {
-    return plain_.query().partition(ray, frames);
+    return has_holes() ? plain_.query().partition(ray, frames, *this)
+                       : plain_.query().partition(ray, frames, NoHoles());
   }
-  FrameSet occluded(const Ray& ray, FrameSet frames) const override { return plain_.query().occluded(ray, frames); }
+  FrameSet occluded(const Ray& ray, FrameSet frames) const override {
+    return has_holes() ? plain_.query().occluded(ray, frames, *this) : plain_.query().occluded(ray, frames, NoHoles());
+  }
   std::size_t memory() const override { return 0; }
 
+  bool stops(int shape, const Ray& ray, int primitive, Vec2 uv) const {
+    return shapes_[static_cast<std::size_t>(shape)].stops(ray, primitive, uv);
+  }
+
  private:
+  bool has_holes() const {
+    return std::ranges::any_of(shapes_, [](const PlacedShape& shape) { return shape.cutout != nullptr; });
+  }
+
   PlainTrees plain_;
+  std::span<const PlacedShape> shapes_;
 };
 
 // What devices run.
@@ -108,11 +120,11 @@ TEST_P(Agreement, OfPlainQueriesOnRandomScenes) {
     if (first_not_plain(scene.placed()) >= 0) continue;
     ++scenes;
     const TwoLevel tree(scene.placed(), scene.all(), GetParam());
-    const Plain plain(tree);
+    const Plain plain(tree, scene.placed());
     const BruteForce loop(scene.placed());
     for (int i = 0; i < 40; ++i) expect_agreement(plain, loop, scene.some_ray(), scene.some_frames());
   }
-  EXPECT_GT(scenes, 300);
+  EXPECT_GT(scenes, 2000);
 }
 
 // The distance of a hit is no longer within a ray that ends there, and is within one that ends at the next float.
@@ -304,6 +316,51 @@ TEST_P(Agreement, OnHair) {
   EXPECT_LT(alone.memory(), 50u * static_cast<std::size_t>(thin.primitive_count()));  // without such nodes 70
   const BruteForce loop(placed);
   for (int i = 0; i < 50; ++i) expect_agreement(tree, loop, {random.in_cube(2), random.direction()}, all);
+}
+
+// So many patches that they get nodes at once.
+TEST_P(Agreement, OnPatches) {
+  test::Random random(10);
+  constexpr int kSide = 130;
+  const auto hills = [&](float height) {
+    std::vector<Vec3> vertices;
+    std::vector<int> indices;
+    for (int y = 0; y <= kSide; ++y)
+      for (int x = 0; x <= kSide; ++x)
+        vertices.push_back(
+            {static_cast<float>(x) / kSide - 0.5f, random.uniform(0, height), static_cast<float>(y) / kSide - 0.5f});
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x) {
+        const int v = y * (kSide + 1) + x;
+        indices.insert(indices.end(), {v, v + 1, v + kSide + 1, v + kSide + 2});
+      }
+    return test::bilinear_mesh(vertices, std::move(indices));
+  };
+  const std::unique_ptr<Shape> low = hills(0.05f), high = hills(0.2f);
+  EXPECT_TRUE(is_crowd(*low));
+  const test::Stripes stripes;
+  const Transform turned(Matrix4::rotate(30, 0, 1, 1));
+  const FrameSet all = FrameSet::first(3);
+  std::vector<PlacedShape> placed;
+  const auto place = [&](const Shape& shape, const Transform& to_world, FrameSet frames) -> PlacedShape& {
+    placed.push_back(test::placed(shape, to_world));
+    placed.back().frames = frames, placed.back().cutout_key = placed.size();
+    return placed.back();
+  };
+  place(*low, {}, all);
+  place(*high, {}, all).cutout = &stripes;
+  place(*low, turned, all).cutout = &stripes;
+  place(*high, {}, FrameSet::single(0)).cutout = &stripes;
+  place(*low, turned, FrameSet::single(2));
+  const TwoLevel tree(placed, all, GetParam());
+  const BruteForce loop(placed);
+  const Plain plain(tree, placed);
+  for (int i = 0; i < 50; ++i) {
+    const Vec3 origin = random.in_cube(1), target = random.in_cube(0.5f);
+    const Ray ray{origin, normalize(target - origin)};
+    expect_agreement(tree, loop, ray, all);
+    expect_agreement(plain, loop, ray, all);
+  }
 }
 
 // What is not a number goes nowhere; in a tree it would enter every box.

@@ -4,13 +4,17 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <span>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "dspm/base/params/errors.h"
 #include "dspm/shapes/curves.h"
 #include "dspm/shapes/shape.h"
 #include "dspm/shapes/triangle_mesh.h"
+#include "dspm/textures/plain_texture.h"
 #include "tests/shapes/placed.h"
 
 namespace dspm::test {
@@ -23,7 +27,19 @@ class Stripes final : public Cutout {
     const float stripe = std::floor(7 * (uv.x + 2 * uv.y));
     return 0.5f * (stripe - 3 * std::floor(stripe / 3));
   }
+  std::optional<PlainTexture<float>> plain() const override { return std::nullopt; }
 };
+
+/// Returns a shape of bilinear patches, each with four of the vertices at its corners.
+inline std::unique_ptr<Shape> bilinear_mesh(std::span<const Vec3> vertices, std::vector<int> indices) {
+  std::vector<float> points;
+  for (const Vec3& p : vertices) points.insert(points.end(), {p.x, p.y, p.z});
+  const ParamList list{{{ParamType::integer, "indices", {}, std::move(indices), {}, {}},
+                        {ParamType::point3, "P", {}, std::move(points), {}, {}}}};
+  Diagnostics diagnostics;
+  ParamReader reader(list, "shape", {}, diagnostics);
+  return std::move(shape_plugins().find("bilinearmesh")->make(reader).front().shape);
+}
 
 class RandomScene {
  public:
@@ -144,19 +160,13 @@ class RandomScene {
     return *shapes_.back();
   }
 
-  /// Two patches with a common edge.
+  /// Two patches with a common edge, or one of them.
   const Shape& patches() {
-    Diagnostics diagnostics;
-    std::vector<float> corners;
-    for (int i = 0; i < 6; ++i) {
-      const Vec3 p = point(1);
-      corners.insert(corners.end(), {p.x, p.y, p.z});
-    }
-    const ParamList list{{{ParamType::integer, "indices", {}, std::vector<int>{0, 1, 2, 3, 2, 3, 4, 5}, {}, {}},
-                          {ParamType::point3, "P", {}, corners, {}, {}}}};
-    ParamReader reader(list, "shape", {}, diagnostics);
-    auto parts = shape_plugins().find("bilinearmesh")->make(reader);
-    shapes_.push_back(std::move(parts.front().shape));
+    std::vector<Vec3> vertices;
+    for (int i = 0; i < 6; ++i) vertices.push_back(point(1));
+    std::vector<int> indices{0, 1, 2, 3, 2, 3, 4, 5};
+    if (random_.below(4) == 0) indices.resize(4);
+    shapes_.push_back(bilinear_mesh(vertices, std::move(indices)));
     return *shapes_.back();
   }
 
@@ -177,7 +187,8 @@ class RandomScene {
     placed_.back().cutout_key = placed_.size();
   }
   void place_at_rest(const Shape& shape) {
-    place(shape, (shape.triangles() || shape.turns()) && random_.below(2) == 0 ? Transform() : placement(), all_);
+    const bool has_vertices = shape.triangles() || shape.turns() || shape.primitive_count() > 1;
+    place(shape, has_vertices && random_.below(2) == 0 ? Transform() : placement(), all_);
   }
   /// Another mesh in every few frames, in some frames none.
   void place_deforming() {

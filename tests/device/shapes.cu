@@ -6,6 +6,7 @@
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/transform.h"
 #include "dspm/base/math/vec.h"
+#include "dspm/shapes/bilinearmesh.h"
 #include "dspm/shapes/cylinder.h"
 #include "dspm/shapes/disk.h"
 #include "dspm/shapes/in_world.h"
@@ -26,13 +27,12 @@ struct Place {
 struct OneTriangle {
   MeshView mesh;
   int face;
-  bool turned;
 
   constexpr std::optional<PrimitiveHit> intersect(const Ray& ray) const {
     return dspm::intersect(TriangleRay(ray), mesh.vertex(face, 0), mesh.vertex(face, 1), mesh.vertex(face, 2),
                            ray.t_max);
   }
-  constexpr SurfaceGeometry surface_point(Vec2 at) const { return mesh.surface_point(face, at, turned); }
+  constexpr SurfaceGeometry surface_point(Vec2 at) const { return mesh.surface_point(face, at); }
   constexpr float area() const { return mesh.area(face); }
   constexpr Vec2 sample_area(Vec2 u) const { return MeshView::sample_area(u); }
   constexpr std::optional<Vec2> area_numbers(const Vec3& p) const { return mesh.area_numbers(face, p); }
@@ -46,6 +46,8 @@ struct Input {
   DiskSurface disk;
   CylinderSurface cylinder;
   OneTriangle triangle;
+  PatchMeshView patches;
+  int patch;
 };
 struct Result {
   float t, pdf_a;
@@ -54,7 +56,7 @@ struct Result {
   Vec2 numbers;
 };
 struct Output {
-  Result sphere, disk, cylinder, triangle;
+  Result sphere, disk, cylinder, triangle, patch;
 };
 
 constexpr SurfaceGeometry placed(SurfaceGeometry s, const Place& place) {
@@ -86,5 +88,6 @@ extern "C" __global__ void shapes(const dspm::Input* in, dspm::Output* out) {
   out->disk = result_of(in->disk, *in);
   out->cylinder = result_of(in->cylinder, *in);
   out->triangle = result_of(in->triangle, *in);
+  out->patch = result_of(PatchSurface(in->patches, in->patch), *in);
   if (SphereSurface(in->u.x, 0, in->u.y, half).intersect(in->ray)) out->sphere.t = 0;
 }

@@ -32,7 +32,8 @@ class PlainRandomScene {
         kFrames, integrator, view.camera, view.film);
     s += "Texture \"tiles\" \"spectrum\" \"checkerboard\" \"float uscale\" 5 \"float vscale\" 4 \"rgb tex1\" [.9 .2 "
          ".4]\n"
-         "Texture \"grain\" \"float\" \"wrinkled\" Texture \"picture\" \"spectrum\" \"imagemap\" \"float uscale\" 2 "
+         "Texture \"grain\" \"float\" \"wrinkled\" Texture \"gaps\" \"float\" \"checkerboard\" \"float uscale\" 4 "
+         "\"float tex2\" .3 Texture \"picture\" \"spectrum\" \"imagemap\" \"float uscale\" 2 "
          "\"string filename\" " +
          files()["picture.png"] + "\n";
     for (const char* wall : {"-2 -1.2 -2  -2 -1.2 2  2 -1.2 2  2 -1.2 -2", "-2 -1.2 2  -2 2 2  2 2 2  2 -1.2 2",
@@ -42,10 +43,11 @@ class PlainRandomScene {
                        wall, view.walls);
     for (int i = 0; i < view.lights; ++i) s += light(whole(0, 4));
     for (int i = 0; i < 3; ++i)
-      s += "AttributeBegin\n" + place() + "\n" + material(whole(0, view.varies ? 8 : 5)) + shape() + "AttributeEnd\n";
+      s += "AttributeBegin\n" + place() + "\n" + material(whole(0, view.varies ? 8 : 5)) + shape(false) +
+           "AttributeEnd\n";
     for (int i = 0; i < 2; ++i)
       s += fmt::format("DynamicBegin \"thing{}\" {}\nKeyframe 1 {} Keyframe {} {} KeyframeEnd\n{}DynamicEnd\n", i,
-                       material(whole(0, view.varies ? 8 : 5)), place(), whole(2, kFrames), place(), shape());
+                       material(whole(0, view.varies ? 8 : 5)), place(), whole(2, kFrames), place(), shape(true));
     return s;
   }
 
@@ -77,27 +79,48 @@ class PlainRandomScene {
       default: return "Material \"diffuse\" \"texture reflectance\" \"picture\"\n";
     }
   }
-  std::string shape() {
-    switch (whole(0, 5)) {
-      case 0: return "Shape \"sphere\" \"float radius\" .5 \"float zmax\" .4\n";
-      case 1: return "Shape \"sphere\" \"float radius\" .5\n";
-      case 2: return "Shape \"disk\" \"float radius\" .6 \"float innerradius\" .1\n";
-      case 3: return "Shape \"cylinder\" \"float radius\" .4 \"float phimax\" 250\n";
+  std::string shape(bool may_change) {
+    const std::string solid = solid_shape();
+    return solid + holes(may_change) + "\n";
+  }
+  /// Most shapes have none.
+  std::string holes(bool may_change) {
+    switch (whole(may_change ? 0 : 1, 9)) {
+      case 0: return fmt::format("\"float alpha@1\" {} \"float alpha@4\" {}", real(0, 1), real(0, 1.3f));
+      case 1: return fmt::format("\"float alpha\" {}", real(0, 1));
+      case 2: return "\"texture alpha\" \"gaps\"";
+      case 3: return "\"texture alpha\" \"grain\"";
+      default: return {};
+    }
+  }
+  std::string solid_shape() {
+    switch (whole(0, 8)) {
+      case 0: return "Shape \"sphere\" \"float radius\" .5 \"float zmax\" .4 ";
+      case 1: return "Shape \"sphere\" \"float radius\" .5 ";
+      case 2: return "Shape \"disk\" \"float radius\" .6 \"float innerradius\" .1 ";
+      case 3: return "Shape \"cylinder\" \"float radius\" .4 \"float phimax\" 250 ";
       case 4:
         return "ReverseOrientation Shape \"loopsubdiv\" \"integer levels\" 2 \"integer indices\" [0 1 2 0 2 3 0 3 1 1 "
                "3 2] "
-               "\"point3 P\" [0 .7 0  -.6 -.4 -.4  .6 -.4 -.4  0 -.4 .6]\n";
+               "\"point3 P\" [0 .7 0  -.6 -.4 -.4  .6 -.4 -.4  0 -.4 .6] ";
+      case 5: return "Shape \"bilinearmesh\" \"point3 P\" [-.5 -.5 0  .5 -.5 .2  -.5 .5 .4  .5 .5 0] ";
+      case 6:
+        return "Shape \"bilinearmesh\" \"integer indices\" [0 1 2 3 2 3 4 5] \"point2 uv\" [0 0 1 0 0 1 1 1 .2 2 .8 2] "
+               "\"normal3 N\" [0 .3 1  .2 0 1  0 -.2 1  -.1 0 1  0 0 1  .1 .1 1] "
+               "\"point3 P\" [-.5 -.5 0  .5 -.5 .2  -.4 0 .4  .5 0 0  -.5 .5 0  .3 .5 .3] ";
+      case 7: return "Shape \"plymesh\" \"string filename\" " + files()["signed.ply"] + " ";
       default:
         return "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point2 uv\" [0 0 1 0 1 1 0 1] "
                "\"normal3 N\" [0 .3 1  .2 0 1  0 -.2 1  -.1 0 1] \"point3 P\" [-.5 -.5 0  .5 -.5 0  .5 .5 .1  -.5 .5 "
-               "0]\n";
+               "0] ";
     }
   }
   std::string light(int kind) {
     switch (kind) {
       case 0:
         return "AttributeBegin Translate 0 1.6 0 Rotate 90 1 0 0 AreaLightSource \"diffuse\" \"rgb L\" [9 8 7] \"bool "
-               "twosided\" true Shape \"disk\" \"float radius\" .5 AttributeEnd\n";
+               "twosided\" true Shape \"disk\" \"float radius\" .5 " +
+               holes(false) + " AttributeEnd\n";
       case 1: return "LightSource \"point\" \"rgb I\" [6 5 4] \"point3 from\" [.4 1.2 -1]\n";
       case 2: return "LightSource \"spot\" \"rgb I\" [20 20 20] \"point3 from\" [.5 1.4 -1] \"point3 to\" [0 -1 0]\n";
       case 3: return "LightSource \"distant\" \"rgb L\" [2 2 2] \"point3 from\" [1 2 -1] \"point3 to\" [0 0 0]\n";

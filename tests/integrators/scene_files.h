@@ -31,11 +31,23 @@ class SceneFiles {
     }
     test::put_file(directory_ / "box.mtl", "newmtl red\nKd .8 .2 .1\nnewmtl printed\nKd 1 1 1\nmap_Kd picture.png\n");
     test::put_file(directory_ / "box.obj", obj());
+    test::put_file(directory_ / "signed.ply", signed_tangents());
     test::put_file(directory_ / "pair.dat", "55 5 1.6 24\n-400 6 1 24\n0 6 0 14\n400 5 1.6 24\n-55 40 1 24\n");
   }
 
   /// For the text of a scene.
   std::string operator[](const std::string& name) const { return fmt::format("\"{}\"", (directory_ / name).string()); }
+
+  /// A square with tangents and their signs.
+  static std::string signed_tangents() {
+    std::string s = "ply\nformat ascii 1.0\nelement vertex 4\n";
+    for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "u", "v", "tx", "ty", "tz", "tw"})
+      s += fmt::format("property float {}\n", name);
+    return s +
+           "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
+           "-.5 -.5 0  0 .1 1  0 0  1 .2 0 1\n.5 -.5 .1  .1 0 1  1 .1  1 0 .1 -1\n"
+           ".5 .5 0  0 -.1 1  .9 1  .9 .1 0 -1\n-.5 .5 0  0 0 1  .1 1  1 -.2 0 1\n3 0 1 2\n3 2 3 0\n";
+  }
 
  private:
   static Image picture(int width, int height, float scale) {

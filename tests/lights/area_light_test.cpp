@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "dspm/image/write_floats.h"
+#include "dspm/textures/plain_texture.h"
 #include "tests/lights/density.h"
 #include "tests/lights/lamps.h"
 
@@ -229,6 +230,7 @@ TEST(AreaLight, EitherAColourOrAPicture) {
 TEST(AreaLight, ShinesWhereItIsThere) {
   class Half final : public Cutout {
     float alpha(const SurfacePoint& point) const override { return point.p.x < 0.5f ? 1.f : 0.f; }
+    std::optional<PlainTexture<float>> plain() const override { return std::nullopt; }
   };
   const Half half;
   AreaLamp lamp = make_lamp("half", square(), {});

@@ -219,7 +219,7 @@ TEST(Ply, ColoursTangentsAndSecondTextureCoordinates) {
   EXPECT_EQ(whole.second_uvs[2], (Vec2{6, 7}));
   ASSERT_EQ(whole.tangents.size(), 3u);
   EXPECT_EQ(whole.tangents[0], (Vec3{3, 4, 5}));
-  EXPECT_EQ(whole.turned, (std::vector<bool>{false, true, false}));
+  EXPECT_EQ(whole.turned, (std::vector<std::uint8_t>{0, 1, 0}));
   EXPECT_EQ(read_ply(triangle("float", "0.25")).colours[2][0], 0.25f);
   EXPECT_NEAR(read_ply(triangle("ushort", "48316")).colours[2][0], 0.503f, 1e-3f);
 }

@@ -1,10 +1,12 @@
 // A shape's holes by a texture of numbers.
 #pragma once
 
+#include <optional>
 #include <utility>
 
 #include "dspm/shapes/cutout.h"
 #include "dspm/shapes/shape.h"
+#include "dspm/textures/plain_texture.h"
 #include "dspm/textures/texture.h"
 
 namespace dspm {
@@ -15,6 +17,7 @@ class TextureCutout final : public Cutout {
   float alpha(const SurfacePoint& point) const override {
     return texture_->evaluate({point.p, point.uv, {}, {}, {}, {}, {}, point.vertices});
   }
+  std::optional<PlainTexture<float>> plain() const override { return texture_->plain(); }
 
  private:
   TexturePtr<float> texture_;
