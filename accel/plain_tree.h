@@ -231,9 +231,9 @@ constexpr void find_in(const PlainTree::Placed& placed, int primitive, FrameSet 
   if (hit) query.offer({hit->t, placed.number, primitive, hit->uv}, frames);
 }
 
-/// Offers the ray's hits to `query`.
+/// Offers the ray's hits to `query`. Never inlined: a traversal's stack would take memory of a device once for each call.
 template <class Query, class Holes>
-constexpr void find(const PlainTree& tree, const PlainRay& ray, Query& query, const Holes& holes) {
+[[gnu::noinline]] constexpr void find(const PlainTree& tree, const PlainRay& ray, Query& query, const Holes& holes) {
   const RayInHoles<Holes> in_holes{holes, ray.ray};
   find(tree, ray, query, in_holes, [&](const PlainTree::Placed& placed, int primitive) {
     const FrameSet frames = placed.frames & query.frames();

@@ -33,6 +33,9 @@ class FollowedWaves {
     }
   }
 
+  /// Gives all memory back.
+  void release() { now_.release(), lists_.release(), sums_.release(), sums_before_.release(), parted_.release(); }
+
   /// Returns what is in the list of T, in its order().
   template <class T>
   UntouchedVector<T> sorted() {

@@ -12,7 +12,7 @@
 //                                                    sorts the keys; order[i] is where the i-th was; no two are equal
 //   std::size_t paths_at_once() const                as many as keep it busy
 //   std::string name() const
-// All but name() may throw MachineFailure.
+// All but free() and name() may throw MachineFailure; allocate() throws OutOfMachineMemory if there is no room.
 #pragma once
 
 #include <cstddef>
@@ -23,10 +23,15 @@
 
 namespace dspm {
 
-/// The machine has no room, or does not work any more.
+/// The machine does not work any more.
 class MachineFailure : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+/// The machine has no room for something.
+class OutOfMachineMemory : public MachineFailure {
+ public:
+  using MachineFailure::MachineFailure;
 };
 
 /// So many consecutive calls of a for_each() share a place for sums. On the CPU one thread does them all.
@@ -60,6 +65,8 @@ class MachineArray {
   void copy_out(std::span<T> to) {
     if (!to.empty()) machine_->copy_out(to.data(), data_, to.size_bytes());
   }
+  /// Gives the memory back.
+  void release() { machine_->free(std::exchange(data_, nullptr)), room_ = 0; }
   void swap(MachineArray& other) { std::swap(data_, other.data_), std::swap(room_, other.room_); }
 
  private:

@@ -9,39 +9,47 @@ namespace dspm {
 std::vector<PhotonTrace> TracedPaths::photons(const Scene& scene, const PhotonSettings& settings,
                                               std::uint64_t iteration, std::int64_t first, std::int64_t end,
                                               std::vector<PhotonTrace> reuse) {
-  if (may_take_waves(scene, settings)) try {
-      load(scene);
-      return trace_photons_in_waves(scene, *tracer_, settings, iteration, first, end, reuse);
-    } catch (const MachineFailure& failure) {
-      leave_gpu(failure);
-    }
+  if (may_take_waves(scene, settings) && attempt(scene, [&] {
+        reuse = trace_photons_in_waves(scene, *tracer_, settings, iteration, first, end, std::move(reuse));
+      }))
+    return reuse;
   return trace_photons(scene, settings, iteration, first, end, std::move(reuse));
 }
 
 std::vector<HitPointTile> TracedPaths::hit_points(const Scene& scene, const RenderSettings& render,
                                                   const HitPointSettings& settings, std::uint64_t iteration,
                                                   std::vector<HitPointTile> reuse) {
-  if (may_take_waves(scene, settings)) try {
-      load(scene);
-      return trace_hit_points_in_waves(scene, plain_->scene(), *tracer_, render, settings, iteration, reuse);
-    } catch (const MachineFailure& failure) {
-      leave_gpu(failure);
-    }
+  if (may_take_waves(scene, settings) && attempt(scene, [&] {
+        reuse =
+            trace_hit_points_in_waves(scene, plain_->scene(), *tracer_, render, settings, iteration, std::move(reuse));
+      }))
+    return reuse;
   return trace_hit_points(scene, render, settings, iteration, std::move(reuse));
 }
 
 std::optional<FluxOfPoints> TracedPaths::flux(const Scene& scene, std::span<const HitPointTile> tiles,
                                               const PhotonMap& photons,
                                               const std::function<float(const HitPoint&)>& radius2_of) {
-  if (tracer_ == nullptr || !why_not_plain(scene).empty()) return std::nullopt;
-  try {
-    load(scene);
-    if (may_gather_in_waves(tiles, photons, plain_->scene()))
-      return gather_in_waves(*tracer_, tiles, photons, radius2_of);
-  } catch (const MachineFailure& failure) {
-    leave_gpu(failure);
-  }
-  return std::nullopt;
+  std::optional<FluxOfPoints> flux;
+  if (tracer_ != nullptr && why_not_plain(scene).empty())
+    attempt(scene, [&] {
+      if (may_gather_in_waves(tiles, photons, plain_->scene()))
+        flux = gather_in_waves(*tracer_, tiles, photons, radius2_of);
+    });
+  return flux;
+}
+
+template <class InWaves>
+bool TracedPaths::attempt(const Scene& scene, const InWaves& in_waves) {
+  for (;;) try {
+      load(scene);
+      in_waves();
+      return true;
+    } catch (const OutOfMachineMemory& failure) {
+      if (!tracer_->take_fewer()) return leave_gpu(failure), false;
+    } catch (const MachineFailure& failure) {
+      return leave_gpu(failure), false;
+    }
 }
 
 // A scene whose shutter is open is not plain, so all iterations have one accelerator.

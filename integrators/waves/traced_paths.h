@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dspm/base/colour/palette.h"
@@ -16,7 +17,6 @@
 #include "dspm/integrators/photons/point_flux.h"
 #include "dspm/integrators/photons/trace_hit_points.h"
 #include "dspm/integrators/photons/trace_photons.h"
-#include "dspm/integrators/waves/devices.h"
 #include "dspm/integrators/waves/machine.h"
 #include "dspm/integrators/waves/plain_objects.h"
 #include "dspm/integrators/waves/wave_hit_points.h"
@@ -28,8 +28,8 @@ namespace dspm {
 
 class TracedPaths {
  public:
-  /// `goes_on`: if the device fails, the CPU traces what it has not; else MachineFailure is thrown.
-  TracedPaths(Device device, bool goes_on) : tracer_(tracer_on(device)), goes_on_(goes_on) {}
+  /// Without a tracer, all paths are traced one by one. `goes_on`: if the tracer fails, the CPU traces what it has not; else MachineFailure is thrown.
+  TracedPaths(std::unique_ptr<WaveTracer> tracer, bool goes_on) : tracer_(std::move(tracer)), goes_on_(goes_on) {}
 
   /// Does what trace_photons() does.
   std::vector<PhotonTrace> photons(const Scene& scene, const PhotonSettings& settings, std::uint64_t iteration,
@@ -55,6 +55,10 @@ class TracedPaths {
   /// Sees to it that the tracer has the scene, which is plain.
   void load(const Scene& scene);
   void leave_gpu(const MachineFailure& failure);
+  /// Loads the scene and calls in_waves(), again with fewer paths at once if memory does not suffice. Returns false if the
+  /// tracer fails: it is left.
+  template <class InWaves>
+  bool attempt(const Scene& scene, const InWaves& in_waves);
 
   std::unique_ptr<WaveTracer> tracer_;  // null: one by one
   bool goes_on_;

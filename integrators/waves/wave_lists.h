@@ -41,6 +41,13 @@ class WaveLists {
         keys_(machine),
         order_(machine) {}
 
+  /// Clears them and gives all memory back.
+  void release() {
+    clear();
+    (array<Items>().release(), ...);
+    keys_.release(), order_.release();
+  }
+
   template <class T>
   std::size_t size() const {
     return size_[place_of<T>()];

@@ -70,10 +70,12 @@ class WaveTracer {
   /// Returns what it traces on, for people: "NVIDIA H200".
   virtual std::string name() const = 0;
   /// Sets the scene. What it points to must live, and stay as it is, until the next call, unless the machine has its own
-  /// memory. Throws MachineFailure.
+  /// memory. Throws MachineFailure, see machine.h.
   virtual void load(const PlainScene& scene) = 0;
   /// Returns how many paths should be traced at once.
   virtual std::size_t paths_at_once() const = 0;
+  /// Gives back all memory but the scene's, and makes it half as many paths from now on. Returns false if these are too few.
+  virtual bool take_fewer() = 0;
   /// Follows paths to their ends. The results depend on no order. These throw MachineFailure, too.
   virtual PhotonWaves trace(const PhotonWave& wave, const WaveStarts<PhotonState>& starts) = 0;
   virtual CameraWaves trace(const CameraWave& wave, const WaveStarts<CameraState>& starts) = 0;

@@ -33,7 +33,16 @@ class WaveTracerOn final : public WaveTracer {
         gathered_(machine_) {}
 
   std::string name() const override { return machine_.name(); }
-  std::size_t paths_at_once() const override { return machine_.paths_at_once(); }
+  std::size_t paths_at_once() const override { return machine_.paths_at_once() >> halvings_; }
+
+  bool take_fewer() override {
+    constexpr std::size_t kFewest = 1 << 12;
+    photons_.release(), camera_.release();
+    points_.release(), scatterings_.release(), flux_.release(), gathered_.release();
+    if (paths_at_once() <= kFewest) return false;
+    ++halvings_;
+    return true;
+  }
 
   void load(const PlainScene& scene) override {
     copy_.reset();
@@ -102,6 +111,7 @@ class WaveTracerOn final : public WaveTracer {
   }
 
   Machine machine_;
+  unsigned halvings_ = 0;  // of the paths that are traced at once
   PlainScene scene_;
   std::optional<PlainCopy<PlainScene, Machine>> copy_;
   FollowedWaves<Machine, PhotonState, WavePhoton, WaveRejection> photons_;

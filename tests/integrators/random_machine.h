@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <map>
 #include <new>
 #include <numeric>
 #include <random>
@@ -13,20 +14,30 @@
 #include <string>
 #include <vector>
 
+#include "dspm/integrators/waves/machine.h"
+
 namespace dspm::test {
 
 class RandomMachine {
  public:
   static constexpr bool kOwnMemory = true;
 
-  RandomMachine(std::uint64_t seed, std::size_t paths_at_once) : random_(seed), paths_at_once_(paths_at_once) {}
+  /// `bytes`: the size of its memory.
+  RandomMachine(std::uint64_t seed, std::size_t paths_at_once, std::size_t bytes = std::size_t{1} << 32)
+      : random_(seed), paths_at_once_(paths_at_once), bytes_left_(bytes) {}
 
   void* allocate(std::size_t bytes) {
+    if (bytes > bytes_left_) throw OutOfMachineMemory("the random machine's memory does not suffice");
     void* const memory = ::operator new(bytes, kAlignment);
     std::memset(memory, 0xa5, bytes);
+    bytes_left_ -= bytes, sizes_[memory] = bytes;
     return memory;
   }
-  void free(void* memory) { ::operator delete(memory, kAlignment); }
+  void free(void* memory) {
+    if (memory == nullptr) return;
+    bytes_left_ += sizes_.extract(memory).mapped();
+    ::operator delete(memory, kAlignment);
+  }
   void copy_in(void* to, const void* from, std::size_t bytes) { std::memcpy(to, from, bytes); }
   void copy_out(void* to, const void* from, std::size_t bytes) { std::memcpy(to, from, bytes); }
   void copy(void* to, const void* from, std::size_t bytes) { std::memcpy(to, from, bytes); }
@@ -54,7 +65,8 @@ class RandomMachine {
   static constexpr std::align_val_t kAlignment{256};
 
   std::mt19937_64 random_;
-  std::size_t paths_at_once_;
+  std::size_t paths_at_once_, bytes_left_;
+  std::map<void*, std::size_t> sizes_;  // of what is allocated
 };
 
 }  // namespace dspm::test

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <random>
 
 #include "dspm/base/math/frames.h"
@@ -10,6 +11,7 @@
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/integrators/photons/trace_photons.h"
+#include "dspm/integrators/waves/traced_paths.h"
 #include "dspm/integrators/waves/wave_photons.h"
 #include "dspm/session/job/choices.h"
 #include "dspm/shapes/triangle_mesh.h"
@@ -120,6 +122,28 @@ TEST(Waves, LeaveThePhotonsOfPathsOneByOne) {
   EXPECT_GT(all, 100'000u);
   EXPECT_GT(hidden, 100u);
   EXPECT_GT(parted, 20'000u);
+}
+
+/// Traces photons on a machine with so many bytes of memory; returns why it was left.
+std::string why_left(const Scene& scene, const PhotonSettings& settings, std::size_t bytes) {
+  TracedPaths paths(std::make_unique<WaveTracerOn<RandomMachine>>(7, std::size_t{1} << 16, bytes), true);
+  const auto one_by_one = trace_photons(scene, settings, 3, 0, 20'000, {});
+  for (int turn = 0; turn < 2; ++turn) {
+    const auto traces = paths.photons(scene, settings, 3, 0, 20'000, {});
+    for (Frame f = 0; f < kFrames; ++f)
+      EXPECT_EQ(of_frame(one_by_one, &PhotonTrace::photons, f), of_frame(traces, &PhotonTrace::photons, f)) << f;
+  }
+  return paths.why_off_gpu();
+}
+
+TEST(Waves, GoByFewerPathsOrOnTheCpuIfMemoryDoesNotSuffice) {
+  TestScene test(PlainRandomScene(5).text("\"dsppm\""));
+  const auto scene = test.scene(test.all_frames());
+  const PhotonSettings settings;
+  constexpr std::size_t kMega = std::size_t{1} << 20;
+  EXPECT_EQ(why_left(*scene, settings, 500 * kMega), "");
+  EXPECT_EQ(why_left(*scene, settings, 20 * kMega), "");  // not enough for all at once
+  EXPECT_EQ(why_left(*scene, settings, kMega / 2), "the random machine's memory does not suffice");
 }
 
 std::vector<Image> images(const std::string& text, const char* device) {

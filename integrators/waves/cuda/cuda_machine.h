@@ -108,7 +108,7 @@ class CudaMachine {
     if (result == cudaSuccess) return;
     cudaGetLastError();  // forgets it
     const std::string said = cudaGetErrorString(result);
-    if (result == cudaErrorMemoryAllocation) throw MachineFailure("the GPU's memory does not suffice");
+    if (result == cudaErrorMemoryAllocation) throw OutOfMachineMemory("the GPU's memory does not suffice");
     throw MachineFailure("the GPU failed: " + said);
   }
 
