@@ -1,22 +1,38 @@
 // A material as a plain value, which a device can have: one of a few kinds, whose textures are plain (plain_texture.h).
 #pragma once
 
+#include "dspm/materials/coated_conductor_bsdf.h"
+#include "dspm/materials/coated_diffuse_bsdf.h"
 #include "dspm/materials/conductor_bsdf.h"
 #include "dspm/materials/dielectric_bsdf.h"
 #include "dspm/materials/diffuse_bsdf.h"
+#include "dspm/materials/diffuse_transmission_bsdf.h"
 #include "dspm/materials/thin_dielectric_bsdf.h"
 #include "dspm/shapes/surface_geometry.h"
 
 namespace dspm {
 
 class PlainMaterial {
-  enum class Kind : unsigned char { diffuse, dielectric, conductor, thin_dielectric };
+  enum class Kind : unsigned char {
+    diffuse,
+    dielectric,
+    conductor,
+    thin_dielectric,
+    coated_diffuse,
+    coated_conductor,
+    diffuse_transmission
+  };
 
  public:
   constexpr PlainMaterial(const PlainDiffuse& diffuse) : kind_(Kind::diffuse), diffuse_(diffuse) {}
   constexpr PlainMaterial(const PlainDielectric& dielectric) : kind_(Kind::dielectric), dielectric_(dielectric) {}
   constexpr PlainMaterial(const PlainConductor& conductor) : kind_(Kind::conductor), conductor_(conductor) {}
   constexpr PlainMaterial(const PlainThinDielectric& pane) : kind_(Kind::thin_dielectric), thin_dielectric_(pane) {}
+  constexpr PlainMaterial(const PlainCoatedDiffuse& coated) : kind_(Kind::coated_diffuse), coated_diffuse_(coated) {}
+  constexpr PlainMaterial(const PlainCoatedConductor& coated)
+      : kind_(Kind::coated_conductor), coated_conductor_(coated) {}
+  constexpr PlainMaterial(const PlainDiffuseTransmission& leaf)
+      : kind_(Kind::diffuse_transmission), diffuse_transmission_(leaf) {}
 
   /// Calls fn(const Plain&) with the Bsdf at the point (plain_bsdf.h), and returns what it does: one type for all Bsdfs.
   template <class Fn>
@@ -25,14 +41,19 @@ class PlainMaterial {
       case Kind::diffuse: return diffuse_.with_bsdf(point, fn);
       case Kind::dielectric: return dielectric_.with_bsdf(point, fn);
       case Kind::conductor: return conductor_.with_bsdf(point, fn);
-      case Kind::thin_dielectric: break;
+      case Kind::thin_dielectric: return thin_dielectric_.with_bsdf(point, fn);
+      case Kind::coated_diffuse: return coated_diffuse_.with_bsdf(point, fn);
+      case Kind::coated_conductor: return coated_conductor_.with_bsdf(point, fn);
+      case Kind::diffuse_transmission: break;
     }
-    return thin_dielectric_.with_bsdf(point, fn);
+    return diffuse_transmission_.with_bsdf(point, fn);
   }
-
   /// Returns whether paths that stand for more than a point average a texture of it (Material::averages) that varies: they
   /// see something else than with_bsdf() gives.
-  constexpr bool averages() const { return kind_ == Kind::diffuse && diffuse_.reflectance.varies(); }
+  constexpr bool averages() const {
+    return (kind_ == Kind::diffuse && diffuse_.reflectance.varies()) ||
+           (kind_ == Kind::diffuse_transmission && diffuse_transmission_.varies());
+  }
 
   /// Calls fn(Plain...&) with what it is.
   template <class Fn>
@@ -58,6 +79,9 @@ class PlainMaterial {
     PlainDielectric dielectric_;
     PlainConductor conductor_;
     PlainThinDielectric thin_dielectric_;
+    PlainCoatedDiffuse coated_diffuse_;
+    PlainCoatedConductor coated_conductor_;
+    PlainDiffuseTransmission diffuse_transmission_;
   };
 };
 
