@@ -1,18 +1,37 @@
-// A material as a plain value, which a device can have: one of a few kinds, whose textures are plain (plain_texture.h).
+// A material as a plain value, which a device can have: one of a few kinds, whose textures are plain (plain_texture.h), or at
+// each point one of two of these.
 #pragma once
 
+#include <bit>
+#include <concepts>
+#include <cstdint>
+
+#include "dspm/base/math/rng.h"
+#include "dspm/base/math/vec.h"
 #include "dspm/materials/coated_conductor_bsdf.h"
 #include "dspm/materials/coated_diffuse_bsdf.h"
 #include "dspm/materials/conductor_bsdf.h"
 #include "dspm/materials/dielectric_bsdf.h"
 #include "dspm/materials/diffuse_bsdf.h"
 #include "dspm/materials/diffuse_transmission_bsdf.h"
+#include "dspm/materials/plain_parameters.h"
 #include "dspm/materials/thin_dielectric_bsdf.h"
 #include "dspm/shapes/surface_geometry.h"
+#include "dspm/textures/plain_value.h"
 
 namespace dspm {
 
-class PlainMaterial {
+/// Returns whether a mix is made of its second material at p; mixes within mixes, which are deeper, choose independently.
+constexpr bool takes_second(float amount, const Vec3& p, int depth) {
+  if (!(amount > 0) || amount >= 1) return amount >= 1;
+  std::uint64_t bits = static_cast<std::uint64_t>(depth);
+  for (const float coordinate : {p.x, p.y, p.z})
+    bits = mix_bits(bits * 0x9e3779b97f4a7c15u + std::bit_cast<std::uint32_t>(coordinate) + 1);
+  return static_cast<float>(bits >> 40) * 0x1p-24f < amount;
+}
+
+/// The same material at all points.
+class PlainLook {
   enum class Kind : unsigned char {
     diffuse,
     dielectric,
@@ -24,17 +43,16 @@ class PlainMaterial {
   };
 
  public:
-  constexpr PlainMaterial(const PlainDiffuse& diffuse) : kind_(Kind::diffuse), diffuse_(diffuse) {}
-  constexpr PlainMaterial(const PlainDielectric& dielectric) : kind_(Kind::dielectric), dielectric_(dielectric) {}
-  constexpr PlainMaterial(const PlainConductor& conductor) : kind_(Kind::conductor), conductor_(conductor) {}
-  constexpr PlainMaterial(const PlainThinDielectric& pane) : kind_(Kind::thin_dielectric), thin_dielectric_(pane) {}
-  constexpr PlainMaterial(const PlainCoatedDiffuse& coated) : kind_(Kind::coated_diffuse), coated_diffuse_(coated) {}
-  constexpr PlainMaterial(const PlainCoatedConductor& coated)
-      : kind_(Kind::coated_conductor), coated_conductor_(coated) {}
-  constexpr PlainMaterial(const PlainDiffuseTransmission& leaf)
+  constexpr PlainLook(const PlainDiffuse& diffuse) : kind_(Kind::diffuse), diffuse_(diffuse) {}
+  constexpr PlainLook(const PlainDielectric& dielectric) : kind_(Kind::dielectric), dielectric_(dielectric) {}
+  constexpr PlainLook(const PlainConductor& conductor) : kind_(Kind::conductor), conductor_(conductor) {}
+  constexpr PlainLook(const PlainThinDielectric& pane) : kind_(Kind::thin_dielectric), thin_dielectric_(pane) {}
+  constexpr PlainLook(const PlainCoatedDiffuse& coated) : kind_(Kind::coated_diffuse), coated_diffuse_(coated) {}
+  constexpr PlainLook(const PlainCoatedConductor& coated) : kind_(Kind::coated_conductor), coated_conductor_(coated) {}
+  constexpr PlainLook(const PlainDiffuseTransmission& leaf)
       : kind_(Kind::diffuse_transmission), diffuse_transmission_(leaf) {}
 
-  /// Calls fn(const Plain&) with the Bsdf at the point (plain_bsdf.h), and returns what it does: one type for all Bsdfs.
+  /// See PlainMaterial.
   template <class Fn>
   constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const Fn& fn) const {
     switch (kind_) {
@@ -48,8 +66,6 @@ class PlainMaterial {
     }
     return diffuse_transmission_.with_bsdf(point, fn);
   }
-  /// Returns whether paths that stand for more than a point average a texture of it (Material::averages) that varies: they
-  /// see something else than with_bsdf() gives.
   constexpr bool averages() const {
     return (kind_ == Kind::diffuse && diffuse_.reflectance.varies()) ||
            (kind_ == Kind::diffuse_transmission && diffuse_transmission_.varies());
@@ -83,6 +99,46 @@ class PlainMaterial {
     PlainCoatedConductor coated_conductor_;
     PlainDiffuseTransmission diffuse_transmission_;
   };
+};
+
+class PlainMaterial {
+ public:
+  template <std::convertible_to<PlainLook> Look>
+  constexpr PlainMaterial(const Look& look) : first_(look), second_(look) {}
+  /// A mix; `amount` is the share of the second one.
+  constexpr PlainMaterial(const PlainLook& first, const PlainLook& second, const PlainValue<float>& amount)
+      : first_(first), second_(second), amount_(amount), is_mix_(true) {}
+
+  /// Calls fn(const Plain&) with the Bsdf at the point (plain_bsdf.h), and returns what it does: one type for all Bsdfs.
+  template <class Fn>
+  constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const Fn& fn) const {
+    return (is_second(point) ? second_ : first_).with_bsdf(point, fn);
+  }
+
+  /// Calls fn(const Plain&, bool is_there) with the Bsdf that a mix does not have at the point, but may have beside it; and
+  /// with the Bsdf at the point, which is there, last.
+  template <class Fn>
+  constexpr void with_all_beside(const SurfaceGeometry& point, const Fn& fn) const {
+    const bool second = is_second(point);
+    for (int i = is_mix_ ? 0 : 1; i < 2; ++i)
+      ((i == 1) == second ? second_ : first_).with_bsdf(point, [&](const auto& bsdf) { fn(bsdf, i == 1); });
+  }
+
+  /// Returns whether paths that stand for more than a point average a texture of it (Material::averages) that varies: they
+  /// see something else than with_bsdf() gives.
+  constexpr bool averages() const { return !is_mix_ && first_.averages(); }
+
+  /// Returns what it is at all points; null if it is a mix.
+  constexpr const PlainLook* everywhere() const { return is_mix_ ? nullptr : &first_; }
+
+ private:
+  constexpr bool is_second(const SurfaceGeometry& point) const {
+    return is_mix_ && takes_second(amount_.at(place_of(point)), point.p, 0);
+  }
+
+  PlainLook first_, second_;
+  PlainValue<float> amount_;
+  bool is_mix_ = false;
 };
 
 }  // namespace dspm
