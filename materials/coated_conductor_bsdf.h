@@ -58,6 +58,7 @@ struct CoatOverMetal {
     return std::max(0.f, 1 - mirrored - by_way->mean(alpha));
   }
 
+  /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     fn(rough_coat, 1);
@@ -213,6 +214,15 @@ struct PlainCoatedConductor {
   PlainRoughness coat_roughness, metal_roughness;
   PlainMetal metal;
   CoatOverMetal shared;
+
+  /// See plain_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    coat_roughness.each_array(fn);
+    metal_roughness.each_array(fn);
+    metal.each_array(fn);
+    shared.each_array(fn);
+  }
 
   template <class Fn>
   constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const Fn& fn) const {

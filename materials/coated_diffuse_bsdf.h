@@ -43,6 +43,7 @@ struct CoatToBase {
   /// Returns the albedo of what its facets mirror.
   constexpr FacetAlbedo mirrored(const Ggx& rough) const { return {rough.alpha(), facets->outside.reflected, brushed}; }
 
+  /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     fn(facets, 1);
@@ -204,6 +205,14 @@ struct PlainCoatedDiffuse {
   PlainRoughness roughness;
   PlainValue<Rgb> reflectance;
   CoatedBase base;
+
+  /// See plain_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    roughness.each_array(fn);
+    reflectance.each_array(fn);
+    base.way.each_array(fn);
+  }
 
   template <class Fn>
   constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const Fn& fn) const {

@@ -69,6 +69,13 @@ struct PlainDiffuseTransmission {
   PlainValue<Rgb> reflectance, transmittance;
   float scale;
 
+  /// See plain_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    reflectance.each_array(fn);
+    transmittance.each_array(fn);
+  }
+
   constexpr bool varies() const { return reflectance.varies() || transmittance.varies(); }
   template <class Fn>
   constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const Fn& fn) const {

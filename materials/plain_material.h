@@ -78,14 +78,12 @@ class PlainLook {
       case Kind::diffuse: return fn(diffuse_);
       case Kind::dielectric: return fn(dielectric_);
       case Kind::conductor: return fn(conductor_);
-      case Kind::thin_dielectric: break;
+      case Kind::thin_dielectric: return fn(thin_dielectric_);
+      case Kind::coated_diffuse: return fn(coated_diffuse_);
+      case Kind::coated_conductor: return fn(coated_conductor_);
+      case Kind::diffuse_transmission: break;
     }
-    fn(thin_dielectric_);
-  }
-  /// See plain_copy.h.
-  template <class Fn>
-  constexpr void each_array(Fn&& fn) {
-    of_kind([&](auto& kind) { kind.each_array(fn); });
+    fn(diffuse_transmission_);
   }
 
  private:
@@ -130,6 +128,18 @@ class PlainMaterial {
 
   /// Returns what it is at all points; null if it is a mix.
   constexpr const PlainLook* everywhere() const { return is_mix_ ? nullptr : &first_; }
+
+  /// Calls fn(Plain...&) with all that it is made of.
+  template <class Fn>
+  constexpr void of_kind(Fn&& fn) {
+    first_.of_kind(fn), second_.of_kind(fn);
+    fn(amount_);
+  }
+  /// See plain_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    of_kind([&](auto& part) { part.each_array(fn); });
+  }
 
  private:
   constexpr bool is_second(const SurfaceGeometry& point) const {
