@@ -39,7 +39,7 @@ class PlainRandomScene {
          "\n"
          "MakeNamedMaterial \"glass\" \"string type\" \"dielectric\" "
          "MakeNamedMaterial \"leaf\" \"string type\" \"diffusetransmission\" \"rgb reflectance\" [.2 .5 .1] "
-         "MakeNamedMaterial \"lacquer\" \"string type\" \"coatedconductor\" \"float conductor.roughness\" .1\n";
+         "MakeNamedMaterial \"lacquer\" \"string type\" \"coatedconductor\" \"float conductor.roughness\" .02\n";
     const int kinds = view.varies ? kAll : kConstant;
     for (const char* wall : {"-2 -1.2 -2  -2 -1.2 2  2 -1.2 2  2 -1.2 -2", "-2 -1.2 2  -2 2 2  2 2 2  2 -1.2 2",
                              "-2 -1.2 -2  -2 2 -2  -2 2 2  -2 -1.2 2"})
