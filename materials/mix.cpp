@@ -20,27 +20,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <optional>
 
 #include "dspm/base/colour/rgb.h"
-#include "dspm/base/math/rng.h"
-#include "dspm/base/math/vec.h"
 #include "dspm/base/params/params.h"
 #include "dspm/materials/parameters.h"
+#include "dspm/materials/plain_material.h"
 
 namespace dspm {
 namespace {
 
 using Parts = MixMaterial::Parts;
-
-/// Returns the number that chooses. Mixes within mixes choose independently.
-float number_at(const Vec3& p, int depth) {
-  std::uint64_t bits = static_cast<std::uint64_t>(depth);
-  for (const float coordinate : {p.x, p.y, p.z})
-    bits = mix_bits(bits * 0x9e3779b97f4a7c15u + std::bit_cast<std::uint32_t>(coordinate) + 1);
-  return static_cast<float>(bits >> 40) * 0x1p-24f;
-}
 
 /// Returns both parts; one is null after an error, which has been reported.
 Parts find_parts(const std::vector<std::string>& names, const MaterialContext& context) {
@@ -88,8 +78,15 @@ const Material* MixMaterial::chosen(const SurfacePoint& point, int depth) const 
     const auto [first, second] = cover(texture_point(point));
     amount = first + second > 0 ? second / (first + second) : parts_[0]->is_seen() ? 0.f : 1.f;
   }
-  if (!(amount > 0)) return parts_[0].get();
-  return parts_[amount >= 1 || number_at(point.p, depth) < amount ? 1 : 0].get();
+  return parts_[takes_second(amount, point.p, depth) ? 1 : 0].get();
+}
+
+std::optional<PlainMaterial> MixMaterial::plain_look(const Palette& palette) const {
+  const auto first = parts_[0]->plain(palette), second = parts_[1]->plain(palette);
+  const auto amount = plain_amount_.value(palette);
+  const bool is_one_of_two = first && first->everywhere() && second && second->everywhere();
+  if (opacity_ || !is_one_of_two || !amount) return std::nullopt;
+  return PlainMaterial(*first->everywhere(), *second->everywhere(), *amount);
 }
 
 std::unique_ptr<Material> make_mix(ParamReader& reader, const MaterialContext& context) {

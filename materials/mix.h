@@ -3,9 +3,12 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 
+#include "dspm/base/colour/palette.h"
 #include "dspm/base/colour/spectrum.h"
 #include "dspm/materials/material.h"
+#include "dspm/textures/plain_part.h"
 #include "dspm/textures/texture.h"
 
 namespace dspm {
@@ -14,7 +17,8 @@ class MixMaterial final : public Material {
  public:
   using Parts = std::array<std::shared_ptr<const Material>, 2>;
 
-  MixMaterial(Parts parts, TexturePtr<float> amount) : parts_(std::move(parts)), amount_(std::move(amount)) {
+  MixMaterial(Parts parts, TexturePtr<float> amount)
+      : parts_(std::move(parts)), amount_(std::move(amount)), plain_amount_(amount_) {
     set_priority(body().priority());
   }
 
@@ -40,12 +44,15 @@ class MixMaterial final : public Material {
 
  private:
   class Opacity;
+  /// Returns nullopt if a part has no plain form, has holes or is a mix itself.
+  std::optional<PlainMaterial> plain_look(const Palette& palette) const override;
   /// Returns the part that bounds a body; if both do, they absorb alike, and the first one counts.
   const Material& body() const { return *parts_[parts_[0]->bounds_a_body() ? 0 : 1]; }
   static std::array<float, 2> cover_of(const FloatTexture& amount, const Opacities& opacities, const TexturePoint& at);
 
   Parts parts_;
   TexturePtr<float> amount_;
+  PlainPart<float> plain_amount_;
   Opacities opacities_;
   TexturePtr<float> opacity_;
 };

@@ -6,6 +6,7 @@
 
 #include <concepts>
 #include <optional>
+#include <typeinfo>
 
 #include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/vec.h"
@@ -19,6 +20,8 @@ struct PlainBsdf {
   constexpr bool transmits(LobeSet) const { return false; }
   constexpr bool disperses(const Vec3&, const Vec3&) const { return false; }
   constexpr std::optional<Spectrum> lambertian(LobeSet) const { return std::nullopt; }
+  /// Takes a Bsdf of the same class.
+  constexpr std::optional<Spectrum> ratio_to(const PlainBsdf& /*other*/, LobeSet) const { return std::nullopt; }
 };
 
 template <std::derived_from<PlainBsdf> Plain>
@@ -41,6 +44,10 @@ class BsdfOf final : public Bsdf {
   bool transmits(LobeSet lobes) const override { return plain_.transmits(lobes); }
   bool disperses(const Vec3& wo, const Vec3& wi) const override { return plain_.disperses(wo, wi); }
   std::optional<Spectrum> lambertian(LobeSet lobes) const override { return plain_.lambertian(lobes); }
+  std::optional<Spectrum> ratio_to(const Bsdf& other, LobeSet lobes) const override {
+    if (typeid(other) != typeid(BsdfOf)) return std::nullopt;
+    return plain_.ratio_to(static_cast<const BsdfOf&>(other).plain_, lobes);
+  }
 
  private:
   Plain plain_;

@@ -7,22 +7,26 @@
 #include <cstdint>
 
 #include "dspm/base/colour/spectrum.h"
+#include "dspm/base/math/rounded.h"
 #include "dspm/base/math/vec.h"
 
 namespace dspm {
 
 class SmallNumber {
  public:
-  explicit SmallNumber(float value)
-      : root_(static_cast<std::uint16_t>(std::lround(std::sqrt(std::clamp(value, 0.f, 1.f)) * kMost))) {}
-  operator float() const {
+  constexpr explicit SmallNumber(float value) : root_(nearest(rounded::sqrt(std::clamp(value, 0.f, 1.f)) * kMost)) {}
+  constexpr operator float() const {
     const float root = static_cast<float>(root_) / kMost;
     return root * root;
   }
-  friend bool operator==(SmallNumber a, SmallNumber b) { return a.root_ == b.root_; }
+  friend constexpr bool operator==(SmallNumber a, SmallNumber b) { return a.root_ == b.root_; }
 
  private:
   static constexpr float kMost = 65535;
+  static constexpr std::uint16_t nearest(float x) {
+    const int below = static_cast<int>(x);
+    return static_cast<std::uint16_t>(x - static_cast<float>(below) < 0.5f ? below : below + 1);
+  }
   std::uint16_t root_;
 };
 

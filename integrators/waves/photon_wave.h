@@ -73,12 +73,16 @@ class PhotonAtSurface {
                             const FrameHit& part, const SurfaceGeometry& point, Out& out)
       : wave_(wave), path_(path), shape_(shape), part_(part), point_(point), wo_(-path.ray.direction), out_(out) {}
 
+  /// Call this with all Bsdfs that may be beside the point, and last with the one that is there.
   template <class AnyBsdf>
-  constexpr void arrive(const AnyBsdf& bsdf) {
-    const bool gathers = gathering_lobes(bsdf, point_, wave_.least_alpha) != 0;
+  constexpr void arrive(const AnyBsdf& bsdf, bool is_there) {
+    gathers_ = gathers_ || gathering_lobes(bsdf, point_, wave_.least_alpha) != 0;
+    const bool may_hide = path_.hidden && path_.bounces > 0;
+    hides_ = hides_ || (may_hide && glossy_lobes(bsdf, point_, wave_.least_alpha) != 0);
+    if (!is_there) return;
     const bool is_wanted = path_.kind == kDirectPhotons ? path_.wants_direct : (path_.kind & wave_.kinds) != 0;
-    if (gathers && is_wanted) store(false);
-    if (path_.hidden && path_.bounces > 0 && glossy_lobes(bsdf, point_, wave_.least_alpha) != 0) store(true);
+    if (gathers_ && is_wanted) store(false);
+    if (hides_) store(true);
     scatter(bsdf);
   }
 
@@ -135,6 +139,7 @@ class PhotonAtSurface {
   const SurfaceGeometry& point_;
   Vec3 wo_;
   Out& out_;
+  bool gathers_ = false, hides_ = false;
 };
 
 /// Takes the path to what it meets next. `out` has
@@ -164,7 +169,8 @@ constexpr void step(const PlainScene& scene, const Query& query, const PhotonWav
       out.end(path, part.frames, PhotonEnd::absorbed);
     } else {
       PhotonAtSurface<Out> arrived(wave, path, shape, part, point, out);
-      scene.materials[shape.material].with_bsdf(point, [&](const auto& bsdf) { arrived.arrive(bsdf); });
+      scene.materials[shape.material].with_all_beside(
+          point, [&](const auto& bsdf, bool is_there) { arrived.arrive(bsdf, is_there); });
     }
   }
 }

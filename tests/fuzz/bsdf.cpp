@@ -1,7 +1,7 @@
 // RGL's files of measured materials.
 #include <cmath>
 
-#include "dspm/materials/measured_file.h"
+#include "dspm/materials/measured/measured_file.h"
 #include "tests/fuzz/target.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

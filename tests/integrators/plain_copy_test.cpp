@@ -199,6 +199,8 @@ Texture "faded" "spectrum" "scale" "texture tex" "leaf" "texture scale" "peel"
 Texture "dotted" "spectrum" "dots" "texture inside" "faded" "rgb outside" [.2 .3 .4]
 Texture "board" "spectrum" "checkerboard" "texture tex1" "dotted" "texture tex2" "leaf"
 Texture "worn" "spectrum" "mix" "texture tex1" "board" "texture tex2" "faded" "texture amount" "holes"
+MakeNamedMaterial "varnish" "string type" "coateddiffuse" "texture reflectance" "worn" "float uroughness" .3 "float vroughness" .1
+MakeNamedMaterial "brass" "string type" "coatedconductor" "texture conductor.roughness" "holes"
 ObjectBegin "bush"
 )";
     for (const char* material :
@@ -206,7 +208,11 @@ ObjectBegin "bush"
           R"("conductor" "texture reflectance" "board" "texture roughness" "holes")",
           R"("conductor" "texture eta" "leaf" "texture k" "worn" "float uroughness" .4 "texture vroughness" "peel")",
           R"("dielectric" "float roughness" .2)", R"("dielectric" "texture roughness" "holes")",
-          R"("dielectric" "float uroughness" .3 "float vroughness" .1)", R"("thindielectric" "texture tint" "faded")"})
+          R"("dielectric" "float uroughness" .3 "float vroughness" .1)", R"("thindielectric" "texture tint" "faded")",
+          R"("diffusetransmission" "texture reflectance" "leaf" "texture transmittance" "faded")",
+          R"("coateddiffuse" "texture reflectance" "board" "texture roughness" "peel" "bool energycompensation" false)",
+          R"("coatedconductor" "texture reflectance" "leaf" "texture interface.roughness" "peel")",
+          R"("mix" "string materials" ["varnish" "brass"] "texture amount" "holes")"})
       s += fmt::format("Material {}\nTranslate .05 .1 .05\n{}", material,
                        R"(Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point2 uv" [0 0 1 0 1 1 0 1]
   "point3 P" [-.5 -.5 0  .5 -.5 0  .5 .5 .1  -.5 .5 0] "normal3 N" [0 .3 1  .2 0 1  0 -.2 1  -.1 0 1]

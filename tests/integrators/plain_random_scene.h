@@ -35,19 +35,23 @@ class PlainRandomScene {
          "Texture \"grain\" \"float\" \"wrinkled\" Texture \"gaps\" \"float\" \"checkerboard\" \"float uscale\" 4 "
          "\"float tex2\" .3 Texture \"picture\" \"spectrum\" \"imagemap\" \"float uscale\" 2 "
          "\"string filename\" " +
-         files()["picture.png"] + "\n";
+         files()["picture.png"] +
+         "\n"
+         "MakeNamedMaterial \"glass\" \"string type\" \"dielectric\" "
+         "MakeNamedMaterial \"leaf\" \"string type\" \"diffusetransmission\" \"rgb reflectance\" [.2 .5 .1] "
+         "MakeNamedMaterial \"lacquer\" \"string type\" \"coatedconductor\" \"float conductor.roughness\" .02\n";
+    const int kinds = view.varies ? kAll : kConstant;
     for (const char* wall : {"-2 -1.2 -2  -2 -1.2 2  2 -1.2 2  2 -1.2 -2", "-2 -1.2 2  -2 2 2  2 2 2  2 -1.2 2",
                              "-2 -1.2 -2  -2 2 -2  -2 2 2  -2 -1.2 2"})
-      s += "AttributeBegin\n" + material(whole(0, 3) > 1 ? 0 : whole(0, view.varies ? 8 : 5)) +
+      s += "AttributeBegin\n" + material(whole(0, 3) > 1 ? 0 : whole(0, kinds - 1)) +
            fmt::format("Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point3 P\" [{}] {}\nAttributeEnd\n",
                        wall, view.walls);
     for (int i = 0; i < view.lights; ++i) s += light(whole(0, 4));
     for (int i = 0; i < 3; ++i)
-      s += "AttributeBegin\n" + place() + "\n" + material(whole(0, view.varies ? 8 : 5)) + shape(false) +
-           "AttributeEnd\n";
+      s += "AttributeBegin\n" + place() + "\n" + material(whole(0, kinds - 1)) + shape(false) + "AttributeEnd\n";
     for (int i = 0; i < 2; ++i)
       s += fmt::format("DynamicBegin \"thing{}\" {}\nKeyframe 1 {} Keyframe {} {} KeyframeEnd\n{}DynamicEnd\n", i,
-                       material(whole(0, view.varies ? 8 : 5)), place(), whole(2, kFrames), place(), shape(true));
+                       material(whole(0, kinds - 1)), place(), whole(2, kFrames), place(), shape(true));
     return s;
   }
 
@@ -60,6 +64,7 @@ class PlainRandomScene {
                        real(0, 360), real(-1, 1), real(-1, 1), real(0.5f, 1), real(0.5f, 1),
                        whole(0, 4) == 0 ? -1.f : real(0.5f, 1));
   }
+  static constexpr int kConstant = 10, kAll = 16;  // kinds of materials: without textures that vary, and all
   std::string material(int kind) {
     switch (kind) {
       case 0:
@@ -74,10 +79,34 @@ class PlainRandomScene {
                            whole(0, 1) == 0 ? 0.f : real(0.01f, 0.4f));
       case 4: return "Material \"conductor\" \"rgb reflectance\" [.9 .7 .4] \"float uroughness\" .3\n";
       case 5: return "Material \"thindielectric\" \"rgb tint\" [.9 .6 .8]\n";
-      case 6: return "Material \"conductor\" \"texture reflectance\" \"picture\" \"texture roughness\" \"grain\"\n";
-      case 7: return "Material \"diffuse\" \"texture reflectance\" \"tiles\"\n";
+      case 6: return "Material \"coateddiffuse\" " + coat("") + "\n";
+      case 7:
+        return fmt::format("Material \"coatedconductor\" {} \"float conductor.roughness\" {}\n", coat("interface."),
+                           whole(0, 1) == 0 ? 0.f : real(0.01f, 0.4f));
+      case 8:
+        return fmt::format("Material \"diffusetransmission\" \"rgb transmittance\" [{} {} {}]\n", real(0, 1),
+                           real(0, 1), real(0, 1));
+      case 9: return mix(fmt::format("\"float amount\" {}", real(0, 1)));
+      case 10: return "Material \"conductor\" \"texture reflectance\" \"picture\" \"texture roughness\" \"grain\"\n";
+      case 11: return "Material \"diffuse\" \"texture reflectance\" \"tiles\"\n";
+      case 12:
+        return "Material \"coateddiffuse\" \"texture reflectance\" \"picture\" \"texture roughness\" \"grain\"\n";
+      case 13: return "Material \"diffusetransmission\" \"texture reflectance\" \"tiles\" \"float scale\" .5\n";
+      case 14: return mix("\"texture amount\" \"grain\"");
       default: return "Material \"diffuse\" \"texture reflectance\" \"picture\"\n";
     }
+  }
+  std::string coat(const char* prefix) {
+    const std::string alpha =
+        whole(0, 2) == 0 ? fmt::format("\"float {}uroughness\" {}", prefix, real(0.01f, 0.5f))
+                         : fmt::format("\"float {}roughness\" {}", prefix, static_cast<float>(whole(0, 2)) * 0.04f);
+    return alpha + (whole(0, 2) == 0 ? " \"bool energycompensation\" false" : "");
+  }
+  std::string mix(const std::string& amount) {
+    static constexpr const char* kParts[] = {"glass", "leaf", "lacquer"};
+    const int first = whole(0, 2);
+    return fmt::format("Material \"mix\" \"string materials\" [\"{}\" \"{}\"] {}\n", kParts[first],
+                       kParts[(first + 1) % 3], amount);
   }
   std::string shape(bool may_change) {
     const std::string solid = solid_shape();

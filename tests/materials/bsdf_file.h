@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "dspm/base/math/vec.h"
-#include "dspm/materials/bilinear_warp.h"
 #include "dspm/materials/fresnel.h"
+#include "dspm/materials/measured/bilinear_warp.h"
 #include "dspm/materials/microfacet.h"
 
 namespace dspm::test {

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "dspm/materials/bilinear_warp.h"
+#include "dspm/materials/measured/bilinear_warp.h"
 #include "dspm/testing/chi2.h"
 #include "dspm/testing/scattering.h"
 #include "tests/materials/bsdf_file.h"

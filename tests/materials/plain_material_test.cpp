@@ -161,18 +161,82 @@ TEST(PlainMaterial, Dielectric) {
   expect_same_answers(*make("dielectric", {number("eta", 1), alpha(0.3f)}), "dielectric that is not there");
 }
 
+TEST(PlainMaterial, CoatedDiffuse) {
+  const float etas[] = {1.5f, 0.8f, 4.5f, 1};
+  for (int i = 0; i < 4; ++i) {
+    Draw draw(i);
+    for (std::vector<Param> params : roughnesses(draw)) {
+      params.insert(params.end(),
+                    {number("eta", etas[i]), i % 2 == 0 ? draw.colour("reflectance") : draw.spectrum("reflectance")});
+      expect_same_answers(*make("coateddiffuse", params), "coated diffuse");
+    }
+  }
+  for (const float roughness : {0.f, 0.3f})
+    expect_same_answers(*make("coateddiffuse", {number("roughness", roughness), number("thickness", 0.2f),
+                                                integer_param("maxdepth", 3), kLossy}),
+                        "coated diffuse as in pbrt");
+}
+
+TEST(PlainMaterial, CoatedConductor) {
+  const float etas[] = {1.5f, 0.8f};
+  for (int i = 0; i < 2; ++i) {
+    Draw draw(i);
+    for (const std::vector<Param>& coat : roughnesses(draw))
+      for (const float metal : {0.f, draw.between(0.01f, 1)}) {
+        std::vector<Param> params{number("interface.eta", etas[i]), number("conductor.roughness", metal)};
+        for (Param param : coat) {
+          if (contains(param.name, "roughness") && param.name != "remaproughness")
+            param.name = "interface." + param.name;
+          params.push_back(param);
+        }
+        if (i == 1) params.push_back(draw.colour("reflectance"));
+        expect_same_answers(*make("coatedconductor", params), "coated conductor");
+      }
+  }
+}
+
+TEST(PlainMaterial, DiffuseTransmission) {
+  for (int i = 0; i < 8; ++i) {
+    Draw draw(i);
+    expect_same_answers(*make("diffusetransmission", {draw.spectrum("reflectance"), draw.colour("transmittance"),
+                                                      number("scale", draw.between(0, 2))}),
+                        "diffuse transmission");
+  }
+}
+
+std::shared_ptr<const Material> part(const char* type) { return make(type, {}); }
+TexturePtr<float> amount_of(float share) { return std::make_shared<ConstantTexture<float>>(share); }
+
+TEST(PlainMaterial, Mix) {
+  for (const float share : {-1.f, 0.f, 0.3f, 0.8f, 1.f, 2.f})
+    expect_same_answers(MixMaterial({part("diffuse"), part("coatedconductor")}, amount_of(share)), "mix");
+}
+
+TEST(PlainMaterial, NotOfMixesOfWhatHasNone) {
+  const auto mix = [](std::shared_ptr<const Material> first, std::shared_ptr<const Material> second) {
+    return std::make_unique<MixMaterial>(MixMaterial::Parts{std::move(first), std::move(second)}, amount_of(0.5f));
+  };
+  const auto plain = mix(part("diffuse"), part("conductor"));
+  EXPECT_TRUE(plain->plain(Palette::rgb()));
+  EXPECT_FALSE(mix(part("diffuse"), part("hair"))->plain(Palette::rgb()));
+  EXPECT_FALSE(mix(part("hair"), part("diffuse"))->plain(Palette::rgb()));
+  EXPECT_FALSE(mix(part("diffuse"), mix(part("diffuse"), part("conductor")))->plain(Palette::rgb()));
+  plain->set_opacities({amount_of(0.5f), nullptr});
+  EXPECT_FALSE(plain->plain(Palette::rgb()));
+}
+
 std::optional<PlainMaterial> plain_of(const Material& material) { return material.plain(Palette::rgb()); }
+
+/// Those that are made of no other material.
+constexpr std::string_view kPlainPlugins[] = {
+    "diffuse", "dielectric", "conductor", "thindielectric", "coateddiffuse", "coatedconductor", "diffusetransmission"};
 
 TEST(PlainMaterial, OnlyOfSomePlugins) {
   for (const Plugin<MakeMaterial>& plugin : material_plugins()) {
     if (plugin.name == "measured" || plugin.name == "mix") continue;
-    const bool is_plain = plugin.name == "diffuse" || plugin.name == "dielectric" || plugin.name == "conductor" ||
-                          plugin.name == "thindielectric";
-    EXPECT_EQ(plain_of(*make(plugin.name, {})).has_value(), is_plain) << plugin.name;
+    EXPECT_EQ(plain_of(*make(plugin.name, {})).has_value(), std::ranges::count(kPlainPlugins, plugin.name) == 1)
+        << plugin.name;
   }
-  const auto grey = [] { return std::shared_ptr<const Material>(make("diffuse", {})); };
-  const MixMaterial mix({grey(), grey()}, std::make_shared<ConstantTexture<float>>(0.5f));
-  EXPECT_FALSE(plain_of(mix));
 }
 
 /// The same colour everywhere, but not of the same spectrum.
@@ -213,10 +277,18 @@ TEST(PlainMaterial, OfPlainTexturesInRgb) {
   for (const char* texture : {"clouds", "tiles"}) {
     expect_plain_in_rgb("diffuse", "reflectance", texture);
     expect_plain_in_rgb("thindielectric", "tint", texture);
+    expect_plain_in_rgb("coateddiffuse", "reflectance", texture);
+    expect_plain_in_rgb("coatedconductor", "reflectance", texture);
+    for (const char* param : {"reflectance", "transmittance"})
+      expect_plain_in_rgb("diffusetransmission", param, texture);
     for (const char* param : {"reflectance", "eta", "k"}) expect_plain_in_rgb("conductor", param, texture);
   }
-  for (const char* type : {"conductor", "dielectric"})
+  for (const char* type : {"conductor", "dielectric", "coateddiffuse"})
     for (const char* param : {"roughness", "uroughness", "vroughness"}) expect_plain_in_rgb(type, param, "grain");
+  for (const char* param : {"interface.roughness", "conductor.roughness"})
+    expect_plain_in_rgb("coatedconductor", param, "grain");
+  expect_same_answers(MixMaterial({part("diffuse"), part("conductor")}, w.textures.find<float>("grain")),
+                      Palette::rgb(), "mix by a texture");
 }
 
 TEST(PlainMaterial, NotOfTexturesThatVary) {
@@ -229,8 +301,15 @@ TEST(PlainMaterial, NotOfTexturesThatVary) {
   };
   EXPECT_FALSE(plain_with("diffuse", "reflectance", "metamers"));
   EXPECT_FALSE(plain_with("thindielectric", "tint", "metamers"));
+  EXPECT_FALSE(plain_with("coateddiffuse", "reflectance", "metamers"));
   for (const char* param : {"eta", "k", "reflectance"}) EXPECT_FALSE(plain_with("conductor", param, "metamers"));
-  for (const char* type : {"conductor", "dielectric"}) {
+  EXPECT_FALSE(plain_with("coatedconductor", "reflectance", "metamers"));
+  for (const char* param : {"interface.roughness", "conductor.vroughness"})
+    EXPECT_FALSE(plain_with("coatedconductor", param, "ramp")) << param;
+  for (const char* param : {"reflectance", "transmittance"})
+    EXPECT_FALSE(plain_with("diffusetransmission", param, "metamers")) << param;
+  EXPECT_FALSE(plain_of(MixMaterial({part("diffuse"), part("conductor")}, std::make_shared<Ramp>())));
+  for (const char* type : {"conductor", "dielectric", "coateddiffuse"}) {
     for (const char* param : {"roughness", "uroughness", "vroughness"})
       EXPECT_FALSE(plain_with(type, param, "ramp")) << type << " " << param;
     EXPECT_TRUE(plain_with(type, "roughness", "half")) << type;
@@ -249,7 +328,7 @@ class Upright final : public Relief {
 };
 
 TEST(PlainMaterial, NotWithReliefOrPriority) {
-  for (const char* type : {"diffuse", "dielectric", "conductor", "thindielectric"}) {
+  for (const std::string_view type : kPlainPlugins) {
     const auto bumpy = make(type, {}), first = make(type, {});
     bumpy->set_relief(std::make_shared<Upright>());
     EXPECT_FALSE(plain_of(*bumpy)) << type;

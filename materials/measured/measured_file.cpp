@@ -1,4 +1,4 @@
-#include "dspm/materials/measured_file.h"
+#include "dspm/materials/measured/measured_file.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // A header of 12 bytes, a version, the number of fields; of each field its name, type, offset and shape. Little-endian.
-#include "dspm/materials/tensor_file.h"
+#include "dspm/materials/measured/tensor_file.h"
 
 #include <bit>
 #include <cstdint>

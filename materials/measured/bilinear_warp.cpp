@@ -1,4 +1,4 @@
-#include "dspm/materials/bilinear_warp.h"
+#include "dspm/materials/measured/bilinear_warp.h"
 
 #include <algorithm>
 #include <cmath>

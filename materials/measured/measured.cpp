@@ -21,7 +21,7 @@
 #include "dspm/base/params/params.h"
 #include "dspm/base/system/read_file.h"
 #include "dspm/materials/material.h"
-#include "dspm/materials/measured_file.h"
+#include "dspm/materials/measured/measured_file.h"
 #include "dspm/materials/microfacet.h"
 #include "dspm/materials/shading_frame.h"
 

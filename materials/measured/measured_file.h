@@ -9,8 +9,8 @@
 #include "dspm/base/colour/sampled_spectra.h"
 #include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/vec.h"
-#include "dspm/materials/bilinear_warp.h"
-#include "dspm/materials/tensor_file.h"
+#include "dspm/materials/measured/bilinear_warp.h"
+#include "dspm/materials/measured/tensor_file.h"
 
 namespace dspm {
 
