@@ -67,12 +67,12 @@ class Material {
 
   /// Returns the material as paths of that palette see it, as a plain value, which a device can have. It has the Bsdfs of
   /// bsdf() wherever outside_eta and outside_dispersion of the point are 1 and there is no footprint. Returns nullopt if
-  /// there is more to say: textures without a plain form, a relief, a priority, dispersion, what light meets in the body. The
+  /// there is more to say: textures without a plain form, a relief, a priority, what light meets in the body. The
   /// material must outlive it.
   std::optional<PlainMaterial> plain(const Palette& palette) const;
 
  private:
-  /// plain() of a material without relief or priority, in whose body nothing happens to light, and that does not disperse.
+  /// plain() of a material without relief or priority, in whose body nothing happens to light.
   virtual std::optional<PlainMaterial> plain_look(const Palette& palette) const;
 
   std::shared_ptr<const Relief> relief_;

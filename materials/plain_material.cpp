@@ -10,7 +10,7 @@ namespace dspm {
 
 std::optional<PlainMaterial> Material::plain(const Palette& palette) const {
   const bool has_empty_body = !scatters_inside() && is_black(absorption(palette));
-  if (relief_ != nullptr || priority_ != 0 || disperses() || !has_empty_body) return std::nullopt;
+  if (relief_ != nullptr || priority_ != 0 || !has_empty_body) return std::nullopt;
   return plain_look(palette);
 }
 

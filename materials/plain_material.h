@@ -1,6 +1,7 @@
 // A material as a plain value, which a device can have: one of a few kinds, whose textures are plain (plain_texture.h).
 #pragma once
 
+#include "dspm/base/colour/wavelength.h"
 #include "dspm/materials/conductor_bsdf.h"
 #include "dspm/materials/dielectric_bsdf.h"
 #include "dspm/materials/diffuse_bsdf.h"
@@ -18,12 +19,14 @@ class PlainMaterial {
   constexpr PlainMaterial(const PlainConductor& conductor) : kind_(Kind::conductor), conductor_(conductor) {}
   constexpr PlainMaterial(const PlainThinDielectric& pane) : kind_(Kind::thin_dielectric), thin_dielectric_(pane) {}
 
-  /// Calls fn(const Plain&) with the Bsdf at the point (plain_bsdf.h), and returns what it does: one type for all Bsdfs.
+  /// Calls fn(const Plain&) with the Bsdf (plain_bsdf.h) at a point that a path of that wavelength has met, and returns what
+  /// it does: one type for all Bsdfs.
   template <class Fn>
-  constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const Fn& fn) const {
+  constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const HuedWavelength& wavelength,
+                                     const Fn& fn) const {
     switch (kind_) {
       case Kind::diffuse: return diffuse_.with_bsdf(point, fn);
-      case Kind::dielectric: return dielectric_.with_bsdf(point, fn);
+      case Kind::dielectric: return dielectric_.with_bsdf(point, wavelength, fn);
       case Kind::conductor: return conductor_.with_bsdf(point, fn);
       case Kind::thin_dielectric: break;
     }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "dspm/base/colour/spectrum.h"
+#include "dspm/base/colour/wavelength.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/rng.h"
@@ -28,6 +29,7 @@ struct CameraWave {
   float least_alpha;
   bool keep_bsdf;
   bool may_hide_photons;
+  HuedWavelength wavelength;
 };
 
 /// A camera path on its way, see CameraPath. What it stands for is not followed: no texture that is averaged may vary.
@@ -44,6 +46,7 @@ struct CameraState {
   std::uint32_t path;   // its number: the camera's states start paths of one number
   std::uint16_t bounces;
   bool caught;
+  bool alone;  // see Wavelength
 };
 
 /// A hit point as a step leaves it.
@@ -60,6 +63,7 @@ struct WaveHitPoint {
   bool constant;  // f is, and among the throughput
   bool glossy;    // the lobes extend the path as well, and gather hidden photons only
   bool caught;
+  bool alone;  // see Wavelength
 
   /// See WavePhoton::order().
   constexpr std::uint64_t order() const { return wave_order(start, bounces, frames, glossy); }
@@ -126,6 +130,7 @@ class CameraAtSurface {
     if (is_black(next.throughput)) return;
     next.ray = point_.spawn(sample->wi);
     next.from = point_.p, next.from_ng = point_.ng, next.pdf_w = sample->specular ? 0 : sample->pdf_w;
+    next.alone = path_.alone || sample->by_wavelength;
     ++next.bounces;
     out_.push(next);
   }
@@ -134,7 +139,7 @@ class CameraAtSurface {
     const Spectrum throughput = if_light(path_.throughput * factor);
     if (is_black(throughput)) return;
     out_.store({point_, wo_, throughput, path_.frames, path_.length, part_.hit, path_.start, path_.bounces, lobes,
-                constant, glossy, path_.caught});
+                constant, glossy, path_.caught, path_.alone});
   }
 
   constexpr Spectrum if_light(const Spectrum& carried) {
@@ -181,7 +186,8 @@ constexpr void step(const PlainScene& scene, const Query& query, const CameraWav
     if (shape.emits) out.see({arrived, part, {}, WaveSight::Kind::emission});
     if (path.bounces >= wave.max_depth) continue;
     CameraAtSurface<Out> surface(wave, arrived, shape, part, point, out);
-    scene.materials[shape.material].with_bsdf(point, [&](const auto& bsdf) { surface.arrive(bsdf); });
+    scene.materials[shape.material].with_bsdf(point, wave.wavelength.of_path(path.alone),
+                                              [&](const auto& bsdf) { surface.arrive(bsdf); });
   }
 }
 

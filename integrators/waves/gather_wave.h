@@ -90,7 +90,8 @@ struct GatherSteps {
     const GatherPoint& point = points[i];
     const PlainPlacedShape& shape = scene.shape_of(at.hit);
     const SameSurface surface(point.p, point.ng, at.p_error, point.face, rounded::sqrt(point.radius2));
-    scene.materials[shape.material].with_bsdf(shape.surface_point(at.hit.primitive, at.hit.uv), [&](const auto& bsdf) {
+    const SurfaceGeometry met = shape.surface_point(at.hit.primitive, at.hit.uv);
+    scene.materials[shape.material].with_bsdf(met, {}, [&](const auto& bsdf) {
       gather(i, shape.material, [&](const PlainPhotonGrid& in, std::uint32_t place) -> std::optional<Spectrum> {
         const GatheredPhoton& photon = in.photons[place];
         const bool counts = at.transmits ? surface.counts(in.grid.point(place), photon.wi, in.faces[place])

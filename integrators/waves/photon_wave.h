@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "dspm/base/colour/spectrum.h"
+#include "dspm/base/colour/wavelength.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/rng.h"
@@ -30,6 +31,7 @@ struct PhotonWave {
   int max_depth;
   float least_alpha;
   unsigned kinds;
+  HuedWavelength wavelength;
 };
 
 /// A photon path on its way, with all that tells it from others.
@@ -44,6 +46,7 @@ struct PhotonState {
   std::uint16_t bounces;
   std::uint8_t kind;
   bool hidden, caustics;
+  bool alone;         // see Wavelength
   bool wants_direct;  // photons straight from its light are to be stored
 };
 
@@ -57,6 +60,7 @@ struct WavePhoton {
   std::uint16_t bounces;
   std::uint8_t kind;
   bool hidden;  // see PhotonTrace::hidden
+  bool alone;   // see Wavelength
 
   /// Photons in the order of these numbers, which differ, are in the order of path, bounce and frame.
   constexpr std::uint64_t order() const { return wave_order(path, bounces, frames, hidden); }
@@ -87,8 +91,8 @@ class PhotonAtSurface {
     const auto correction = arrival_correction(point_.ns, point_.ng, wo_);
     if (!correction) return;
     out_.store({point_.p, point_.ng, wo_, path_.throughput * *correction, part_.frames,
-                ShapeFace(part_.hit.shape, point_.ng, wo_), path_.start, path_.path, path_.bounces, path_.kind,
-                hidden});
+                ShapeFace(part_.hit.shape, point_.ng, wo_), path_.start, path_.path, path_.bounces, path_.kind, hidden,
+                path_.alone});
   }
 
   template <class AnyBsdf>
@@ -110,6 +114,7 @@ class PhotonAtSurface {
     PhotonState next = path_;
     next.ray = point_.spawn(sample->wi), next.throughput = surviving, next.frames = part_.frames;
     next.kind = static_cast<std::uint8_t>(kind), next.hidden = path_.hidden && sample->specular;
+    next.alone = path_.alone || sample->by_wavelength;
     ++next.bounces;
     out_.push(next);
   }
@@ -164,7 +169,8 @@ constexpr void step(const PlainScene& scene, const Query& query, const PhotonWav
       out.end(path, part.frames, PhotonEnd::absorbed);
     } else {
       PhotonAtSurface<Out> arrived(wave, path, shape, part, point, out);
-      scene.materials[shape.material].with_bsdf(point, [&](const auto& bsdf) { arrived.arrive(bsdf); });
+      scene.materials[shape.material].with_bsdf(point, wave.wavelength.of_path(path.alone),
+                                                [&](const auto& bsdf) { arrived.arrive(bsdf); });
     }
   }
 }

@@ -43,7 +43,6 @@ std::string why_not_plain(const Scene& scene) {
   if (!scene.media.empty()) return "there are media";
   if (!scene.bounds_bodies.empty())
     return "light passes through bodies that absorb or scatter it, or lie in one another";
-  if (scene.disperses) return "a body refracts light by its wavelength";
   if (dynamic_cast<const TwoLevel*>(scene.accel.get()) == nullptr) return "the accelerator is not \"two-level\"";
   if (const int s = first_not_plain(scene.shapes); s >= 0)
     return name_of(scene, scene.shapes[static_cast<std::size_t>(s)]) + " is none of the plain kinds";

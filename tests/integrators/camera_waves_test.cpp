@@ -110,11 +110,15 @@ HitPointSettings settings_of(unsigned seed) {
 
 struct Found {
   std::size_t hit_points = 0, glossy = 0, scatterings = 0, seen = 0, caught = 0, rays = 0, parted = 0;
+  std::size_t of_one_wavelength = 0;
 
   void add(const HitPointTile& tile) {
     hit_points += tile.hit_points.size(), glossy += tile.glossy.size(), scatterings += tile.scatterings.size();
     seen += tile.seen.size(), rays += tile.paths.shadow_rays, parted += tile.paths.dynamic_paths;
-    for (const HitPoint& hit : tile.hit_points) caught += hit.caught;
+    for (const HitPoint& hit : tile.hit_points) {
+      caught += hit.caught;
+      of_one_wavelength += hit.wavelength.alone;
+    }
   }
 };
 
@@ -143,6 +147,7 @@ TEST(CameraWaves, LeaveWhatPathsOneByOneLeave) {
   EXPECT_GT(found.caught, 1000u);
   EXPECT_GT(found.rays, 1000u);
   EXPECT_GT(found.parted, 10'000u);
+  EXPECT_GT(found.of_one_wavelength, 300u);
 }
 
 std::vector<Image> images(const std::string& text, const char* device, bool otherwise) {

@@ -205,8 +205,9 @@ ObjectBegin "bush"
          {R"("diffuse" "texture reflectance" "worn")",
           R"("conductor" "texture reflectance" "board" "texture roughness" "holes")",
           R"("conductor" "texture eta" "leaf" "texture k" "worn" "float uroughness" .4 "texture vroughness" "peel")",
-          R"("dielectric" "float roughness" .2)", R"("dielectric" "texture roughness" "holes")",
-          R"("dielectric" "float uroughness" .3 "float vroughness" .1)", R"("thindielectric" "texture tint" "faded")"})
+          R"("dielectric" "float roughness" .2)", R"("dielectric" "string glass" "SF11")",
+          R"("dielectric" "texture roughness" "holes")", R"("dielectric" "float uroughness" .3 "float vroughness" .1)",
+          R"("thindielectric" "texture tint" "faded")"})
       s += fmt::format("Material {}\nTranslate .05 .1 .05\n{}", material,
                        R"(Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point2 uv" [0 0 1 0 1 1 0 1]
   "point3 P" [-.5 -.5 0  .5 -.5 0  .5 .5 .1  -.5 .5 0] "normal3 N" [0 .3 1  .2 0 1  0 -.2 1  -.1 0 1]

@@ -38,16 +38,15 @@ class PlainRandomScene {
          files()["picture.png"] + "\n";
     for (const char* wall : {"-2 -1.2 -2  -2 -1.2 2  2 -1.2 2  2 -1.2 -2", "-2 -1.2 2  -2 2 2  2 2 2  2 -1.2 2",
                              "-2 -1.2 -2  -2 2 -2  -2 2 2  -2 -1.2 2"})
-      s += "AttributeBegin\n" + material(whole(0, 3) > 1 ? 0 : whole(0, view.varies ? 8 : 5)) +
+      s += "AttributeBegin\n" + material(whole(0, 3) > 1 ? 0 : any_kind(view)) +
            fmt::format("Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point3 P\" [{}] {}\nAttributeEnd\n",
                        wall, view.walls);
     for (int i = 0; i < view.lights; ++i) s += light(whole(0, 4));
     for (int i = 0; i < 3; ++i)
-      s += "AttributeBegin\n" + place() + "\n" + material(whole(0, view.varies ? 8 : 5)) + shape(false) +
-           "AttributeEnd\n";
+      s += "AttributeBegin\n" + place() + "\n" + material(any_kind(view)) + shape(false) + "AttributeEnd\n";
     for (int i = 0; i < 2; ++i)
       s += fmt::format("DynamicBegin \"thing{}\" {}\nKeyframe 1 {} Keyframe {} {} KeyframeEnd\n{}DynamicEnd\n", i,
-                       material(whole(0, view.varies ? 8 : 5)), place(), whole(2, kFrames), place(), shape(true));
+                       material(any_kind(view)), place(), whole(2, kFrames), place(), shape(true));
     return s;
   }
 
@@ -60,6 +59,7 @@ class PlainRandomScene {
                        real(0, 360), real(-1, 1), real(-1, 1), real(0.5f, 1), real(0.5f, 1),
                        whole(0, 4) == 0 ? -1.f : real(0.5f, 1));
   }
+  int any_kind(const View& view) { return whole(0, view.varies ? 9 : 6); }
   std::string material(int kind) {
     switch (kind) {
       case 0:
@@ -74,8 +74,12 @@ class PlainRandomScene {
                            whole(0, 1) == 0 ? 0.f : real(0.01f, 0.4f));
       case 4: return "Material \"conductor\" \"rgb reflectance\" [.9 .7 .4] \"float uroughness\" .3\n";
       case 5: return "Material \"thindielectric\" \"rgb tint\" [.9 .6 .8]\n";
-      case 6: return "Material \"conductor\" \"texture reflectance\" \"picture\" \"texture roughness\" \"grain\"\n";
-      case 7: return "Material \"diffuse\" \"texture reflectance\" \"tiles\"\n";
+      case 6:
+        return fmt::format("Material \"dielectric\" {} \"float roughness\" {}\n",
+                           whole(0, 1) == 0 ? "\"string glass\" \"SF11\"" : "\"float eta\" 1.5 \"float abbe\" 20",
+                           whole(0, 2) == 0 ? 0.2f : 0.f);
+      case 7: return "Material \"conductor\" \"texture reflectance\" \"picture\" \"texture roughness\" \"grain\"\n";
+      case 8: return "Material \"diffuse\" \"texture reflectance\" \"tiles\"\n";
       default: return "Material \"diffuse\" \"texture reflectance\" \"picture\"\n";
     }
   }

@@ -25,8 +25,8 @@ constexpr int kFrames = PlainRandomScene::kFrames;
 
 /// All of a photon but its frames.
 std::string in_words(const Photon& photon) {
-  return fmt::format("{} {} {} {} {} {}", photon.face.shape(), photon.face.is_inner(), photon.light, digits(photon.p),
-                     digits(photon.wi), digits(photon.flux));
+  return fmt::format("{} {} {} {} {} {} {}", photon.face.shape(), photon.face.is_inner(), photon.light,
+                     digits(photon.p), digits(photon.wi), digits(photon.flux), photon.only_nm);
 }
 
 /// What a frame has of a list of photons, in their order.
@@ -83,7 +83,7 @@ TEST(Waves, KnowTheSurfacesOfShapesAndTheirHoles) {
 }
 
 TEST(Waves, LeaveThePhotonsOfPathsOneByOne) {
-  std::size_t all = 0, hidden = 0, parted = 0;
+  std::size_t all = 0, hidden = 0, parted = 0, of_one_wavelength = 0;
   for (unsigned seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
     TestScene test(PlainRandomScene(seed).text("\"dsppm\""));
@@ -114,12 +114,17 @@ TEST(Waves, LeaveThePhotonsOfPathsOneByOne) {
                                  &EnergyBalance::terminated, &EnergyBalance::roulette, &EnergyBalance::too_deep})
           EXPECT_NEAR(a.energy[f].*entry, b.energy[f].*entry, 1e-9 * a.energy[f].emitted);
       all += b.photons_stored.done, parted += b.photon.dynamic_paths;
-      for (const PhotonTrace& trace : waves) hidden += trace.hidden.size();
+      for (const PhotonTrace& trace : waves) {
+        hidden += trace.hidden.size();
+        of_one_wavelength += static_cast<std::size_t>(
+            std::ranges::count_if(trace.photons, [](const Photon& photon) { return photon.only_nm != 0; }));
+      }
     }
   }
   EXPECT_GT(all, 100'000u);
   EXPECT_GT(hidden, 100u);
   EXPECT_GT(parted, 20'000u);
+  EXPECT_GT(of_one_wavelength, 1000u);
 }
 
 std::vector<Image> images(const std::string& text, const char* device) {

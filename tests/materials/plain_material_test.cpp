@@ -63,7 +63,7 @@ Bits answers(const AnyBsdf& bsdf, int index) {
   return bits;
 }
 
-/// A point whose shading normal leans.
+/// A point whose shading normal leans, and which paths of some wavelength have met.
 SurfacePoint random_point(int index, const Palette& palette) {
   const PathRandom random = random_numbers(index);
   const Vec3 ng = any_direction(random, 10), other = any_direction(random, 11);
@@ -72,6 +72,9 @@ SurfacePoint random_point(int index, const Palette& palette) {
   point.ng = ng, point.ns = index % 4 == 0 ? ng : normalize(ng + other * 0.8f);
   point.dpdu = any_direction(random, 13), point.uv = random.pair(14, 0);
   point.palette = &palette;
+  if (index % 3 > 0) point.wavelength = {.nm = 360, .alone = index % 2 == 0, .weighs = index % 5 < 3};
+  if (index % 3 > 0) point.wavelength.nm += static_cast<std::int16_t>(470 * random.number(15, 0));
+  if (!palette.is_rgb()) point.wavelength.nm = static_cast<std::int16_t>(-point.wavelength.nm);
   return point;
 }
 
@@ -82,7 +85,8 @@ void expect_same_answers(const Material& material, const Palette& palette, const
     const SurfacePoint point = random_point(i, palette);
     BsdfSlot slot;
     const Bits expected = answers(material.bsdf(point, slot), i);
-    ASSERT_TRUE(plain->with_bsdf(point, [&](const auto& bsdf) { return answers(bsdf, i); }) == expected)
+    const HuedWavelength wavelength(point.wavelength);
+    ASSERT_TRUE(plain->with_bsdf(point, wavelength, [&](const auto& bsdf) { return answers(bsdf, i); }) == expected)
         << name << ", point " << i << (palette.is_rgb() ? "" : ", spectral");
   }
 }
@@ -156,9 +160,12 @@ TEST(PlainMaterial, Dielectric) {
     for (std::vector<Param> params : roughnesses(draw)) {
       params.push_back(number("eta", etas[i]));
       expect_same_answers(*make("dielectric", params), "dielectric");
+      params.push_back(number("abbe", 20));
+      expect_same_answers(*make("dielectric", params), "dielectric that disperses");
     }
   }
   expect_same_answers(*make("dielectric", {number("eta", 1), alpha(0.3f)}), "dielectric that is not there");
+  expect_same_answers(*make("dielectric", {text("glass", "SF11")}), "flint glass");
 }
 
 std::optional<PlainMaterial> plain_of(const Material& material) { return material.plain(Palette::rgb()); }
@@ -239,8 +246,6 @@ TEST(PlainMaterial, NotOfTexturesThatVary) {
 
 TEST(PlainMaterial, NotOfBodiesThatDoSomethingToLight) {
   EXPECT_FALSE(plain_of(*make("dielectric", {rgb("attenuationcolor", {1, 0.9f, 1})})));
-  EXPECT_FALSE(plain_of(*make("dielectric", {number("abbe", 40)})));
-  EXPECT_FALSE(plain_of(*make("dielectric", {text("glass", "BK7")})));
 }
 
 class Upright final : public Relief {
