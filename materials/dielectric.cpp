@@ -76,10 +76,10 @@ class DielectricMaterial final : public Material {
 
  private:
   GlassTables tables_in(float outside_eta) const { return tables_ ? tables_->of(outside_eta).tables() : GlassTables{}; }
-  std::optional<PlainMaterial> plain_look(const Palette& palette) const override {
+  std::optional<PlainMaterial> plain_within(const Palette& palette, const PlainIndex& outside) const override {
     const auto roughness = roughness_.plain(palette);
     if (!roughness) return std::nullopt;
-    return PlainDielectric{*roughness, index_.plain(), tables_in(1)};
+    return PlainDielectric{*roughness, index_.plain(), outside, tables_in(outside.mean)};
   }
 
   RefractiveIndex index_;

@@ -238,10 +238,10 @@ struct RefractingGlass {
   }
 };
 
-/// The tables and the index must outlive it.
+/// The tables and the indices must outlive it.
 struct PlainDielectric {
   PlainRoughness roughness;
-  PlainIndex index;
+  PlainIndex index, outside;  // outside: around the body, over that for which its own is given
   GlassTables tables;
 
   /// See plain_copy.h.
@@ -249,6 +249,7 @@ struct PlainDielectric {
   constexpr void each_array(Fn&& fn) {
     roughness.each_array(fn);
     index.each_array(fn);
+    outside.each_array(fn);
     tables.each_array(fn);
   }
 
@@ -256,7 +257,7 @@ struct PlainDielectric {
   template <class Fn>
   constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const HuedWavelength& wavelength,
                                      const Fn& fn) const {
-    return RefractingGlass{roughness, Refraction(index, wavelength), tables}.with_bsdf(point, fn);
+    return RefractingGlass{roughness, Refraction(index, outside, wavelength), tables}.with_bsdf(point, fn);
   }
 };
 

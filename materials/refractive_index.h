@@ -65,7 +65,8 @@ struct Refraction {
   Refraction(float at_wavelength, float mean, const Wavelength& of)
       : eta(at_wavelength), mean_eta(mean), wavelength(of), hue_(of.hue_on_refraction()) {}
   Refraction(const RefractiveIndex& inside, const SurfacePoint& point);
-  constexpr Refraction(const PlainIndex& inside, const HuedWavelength& of) : Refraction(inside, 1, 1, of.of) {
+  constexpr Refraction(const PlainIndex& inside, const PlainIndex& outside, const HuedWavelength& of)
+      : Refraction(inside, outside.mean, outside.at(of.of) / outside.mean, of.of) {
     if (disperses()) hue_ = of.hue_on_refraction();
   }
 

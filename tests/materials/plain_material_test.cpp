@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "dspm/materials/mix.h"
+#include "dspm/materials/refractive_index.h"
 #include "dspm/materials/relief.h"
 #include "tests/materials/materials.h"
 #include "tests/textures/make.h"
@@ -78,11 +79,13 @@ SurfacePoint random_point(int index, const Palette& palette) {
   return point;
 }
 
-void expect_same_answers(const Material& material, const Palette& palette, const std::string& name) {
-  const std::optional<PlainMaterial> plain = material.plain(palette);
+void expect_same_answers(const Material& material, const Palette& palette, const std::string& name,
+                         const PlainIndex& outside = {}) {
+  const std::optional<PlainMaterial> plain = material.plain(palette, outside);
   ASSERT_TRUE(plain) << name;
   for (int i = 0; i < 200; ++i) {
-    const SurfacePoint point = random_point(i, palette);
+    SurfacePoint point = random_point(i, palette);
+    point.outside_eta = outside.mean, point.outside_dispersion = outside.at(point.wavelength) / outside.mean;
     BsdfSlot slot;
     const Bits expected = answers(material.bsdf(point, slot), i);
     const HuedWavelength wavelength(point.wavelength);
@@ -244,8 +247,24 @@ TEST(PlainMaterial, NotOfTexturesThatVary) {
   }
 }
 
-TEST(PlainMaterial, NotOfBodiesThatDoSomethingToLight) {
-  EXPECT_FALSE(plain_of(*make("dielectric", {rgb("attenuationcolor", {1, 0.9f, 1})})));
+TEST(PlainMaterial, OfABodyInAnother) {
+  const RefractiveIndex water = RefractiveIndex::of_abbe(1.35f, 30);
+  for (const std::vector<Param>& params : {std::vector<Param>{},
+                                           {number("roughness", 0.3f)},
+                                           {number("uroughness", 0.3f), number("vroughness", 0.1f)},
+                                           {text("glass", "SF11")},
+                                           {number("eta", 1.35f), number("roughness", 0.3f)}})
+    for (const PlainIndex& outside : {PlainIndex{1.35f}, water.plain()}) {
+      const auto glass = make("dielectric", params);
+      glass->set_priority(2);
+      expect_same_answers(*glass, Palette::rgb(), "glass in water", outside);
+      expect_same_answers(*glass, *Palette::of_iteration(3, 5), "glass in water", outside);
+    }
+}
+
+TEST(PlainMaterial, NotOfBodiesThatScatter) {
+  EXPECT_TRUE(plain_of(*make("dielectric", {rgb("attenuationcolor", {1, 0.9f, 1})})));
+  EXPECT_FALSE(plain_of(*make("subsurface", {})));
 }
 
 class Upright final : public Relief {
@@ -253,13 +272,11 @@ class Upright final : public Relief {
   Vec3 normal(const SurfacePoint&, const PlacedShape&, int, Vec2) const override { return {0, 0, 1}; }
 };
 
-TEST(PlainMaterial, NotWithReliefOrPriority) {
+TEST(PlainMaterial, NotWithRelief) {
   for (const char* type : {"diffuse", "dielectric", "conductor", "thindielectric"}) {
-    const auto bumpy = make(type, {}), first = make(type, {});
+    const auto bumpy = make(type, {});
     bumpy->set_relief(std::make_shared<Upright>());
     EXPECT_FALSE(plain_of(*bumpy)) << type;
-    first->set_priority(1);
-    EXPECT_FALSE(plain_of(*first)) << type;
   }
 }
 
