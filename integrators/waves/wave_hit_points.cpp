@@ -63,7 +63,8 @@ class TileOfWaves {
                        .path = paths(),
                        .bounces = 0,
                        .caught = path.caught,
-                       .alone = path.wavelength.alone});
+                       .alone = path.wavelength.alone,
+                       .bodies = {path.inside, 0}});
     started_.push_back(path);
   }
 
@@ -73,10 +74,13 @@ class TileOfWaves {
     path.ray = state.ray, path.throughput = state.throughput, path.frames = state.frames;
     path.bounces = state.bounces, path.eta_scale = state.eta_scale, path.length = state.length;
     path.from = state.from, path.from_ng = state.from_ng, path.pdf_w = state.pdf_w, path.caught = state.caught;
-    path.wavelength.alone = state.alone;
+    path.wavelength.alone = state.alone, path.inside = state.bodies.inside;
     if (sight.kind == WaveSight::Kind::escape) return light_.meet_infinity(path, path.frames);
     Vertex vertex(scene_, path.ray, sight.at);
     vertex.point.wavelength = path.wavelength;
+    const PlainIndex& outside = plain_.index_around(sight.at.hit, path.inside);
+    vertex.point.outside_eta = outside.mean;
+    vertex.point.outside_dispersion = outside.at(path.wavelength) / outside.mean;
     if (sight.kind == WaveSight::Kind::emission) return light_.meet_surface(path, vertex);
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
       const HitPointLight::Surface surface{frames, &bsdf, sight.choice};
@@ -88,11 +92,12 @@ class TileOfWaves {
     CameraPath path = started;
     path.throughput = hit.throughput, path.frames = hit.frames, path.bounces = hit.bounces;
     path.length = hit.length, path.caught = hit.caught, path.wavelength.alone = hit.alone;
+    path.inside = hit.inside;
     const HitPointWriter::EndSurface surface{hit.point, hit.point.ns, hit.wo, hit.hit};
     std::vector<HitPoint>& kept = hit.glossy ? tile_.glossy : tile_.hit_points;
     if (hit.constant) return out_.add_hit_point(kept, path, surface, nullptr, hit.lobes);
     BsdfSlot slot;
-    const PlainMaterial& material = plain_.materials[plain_.shape_of(hit.hit).material];
+    const PlainMaterial& material = plain_.materials[plain_.place_of_material(hit.hit, hit.inside)];
     out_.add_hit_point(kept, path, surface,
                        &material.with_bsdf(hit.point, wave_.wavelength.of_path(hit.alone), IntoSlot{slot}), hit.lobes);
   }

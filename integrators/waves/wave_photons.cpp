@@ -58,20 +58,20 @@ class TraceOfWaves {
     const PhotonPath& path = started.path;
     const bool of_medium = started.from.light.glow.medium != kNoMedium;
     const bool told = settings_.rays_tell && is_told_by_a_ray(scene_, started.from.light);
-    states_.push_back(
-        {.ray = path.ray,
-         .throughput = path.throughput,
-         .frames = path.frames,
-         .random = path.random,
-         .must_reach = started.from.must_reach,
-         .start = static_cast<std::uint32_t>(states_.size()),
-         .path = paths(),
-         .bounces = 0,
-         .kind = kDirectPhotons,
-         .hidden = path.hidden,
-         .caustics = path.caustics,
-         .alone = false,
-         .wants_direct = (settings_.kinds & (of_medium ? kCausticPhotons : kDirectPhotons)) != 0 && !told});
+    states_.push_back({.ray = path.ray,
+                       .throughput = path.throughput,
+                       .frames = path.frames,
+                       .random = path.random,
+                       .must_reach = started.from.must_reach,
+                       .start = static_cast<std::uint32_t>(states_.size()),
+                       .path = paths(),
+                       .bounces = 0,
+                       .kind = kDirectPhotons,
+                       .hidden = path.hidden,
+                       .caustics = path.caustics,
+                       .alone = false,
+                       .wants_direct = (settings_.kinds & (of_medium ? kCausticPhotons : kDirectPhotons)) != 0 && !told,
+                       .bodies = {path.inside, 0}});
     from_.push_back(started.from);
   }
 

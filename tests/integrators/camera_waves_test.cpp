@@ -1,6 +1,7 @@
 // Camera paths traced in waves leave what those traced one by one leave, bit for bit: hit points with their Bsdfs, and the
 // light that they see, for each pixel in each frame in the same order.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -37,7 +38,7 @@ const PlainRandomScene::View kViews[] = {
 std::string in_words(const Scattering& s) {
   std::string text =
       fmt::format("{} {} {} {} {} {} {} {} {} {}", digits(s.wo), digits(s.p_error), s.lobes, s.transmits, s.material,
-                  s.inside.is_empty(), s.inside.medium, digits(s.ns), digits(s.unbent_ns), s.strip);
+                  fmt::join(s.inside.bodies(), ","), s.inside.medium, digits(s.ns), digits(s.unbent_ns), s.strip);
   for (const float z : {-0.8f, 0.1f, 0.6f})
     for (const float x : {-0.6f, 0.4f}) {
       const Vec3 wi = normalize(Vec3{x, 0.3f, z});

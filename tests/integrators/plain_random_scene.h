@@ -44,6 +44,7 @@ class PlainRandomScene {
     for (int i = 0; i < view.lights; ++i) s += light(whole(0, 4));
     for (int i = 0; i < 3; ++i)
       s += "AttributeBegin\n" + place() + "\n" + material(any_kind(view)) + shape(false) + "AttributeEnd\n";
+    if (whole(0, 1) == 0) s += bodies();
     for (int i = 0; i < 2; ++i)
       s += fmt::format("DynamicBegin \"thing{}\" {}\nKeyframe 1 {} Keyframe {} {} KeyframeEnd\n{}DynamicEnd\n", i,
                        material(any_kind(view)), place(), whole(2, kFrames), place(), shape(true));
@@ -64,24 +65,41 @@ class PlainRandomScene {
     switch (kind) {
       case 0:
         return fmt::format("Material \"diffuse\" \"rgb reflectance\" [{} {} {}]\n", real(0, 1), real(0, 1), real(0, 1));
-      case 1: return fmt::format("Material \"dielectric\" \"float eta\" {}\n", real(1.1f, 1.8f));
+      case 1: return fmt::format("Material \"dielectric\" \"float eta\" {} {}\n", real(1.1f, 1.8f), body());
       case 2:
         return fmt::format(
-            "Material \"dielectric\" \"float eta\" 1.5 \"float uroughness\" {} \"float vroughness\" {}\n",
-            real(0.01f, 0.5f), real(0.01f, 0.5f));
+            "Material \"dielectric\" \"float eta\" 1.5 \"float uroughness\" {} \"float vroughness\" {} {}\n",
+            real(0.01f, 0.5f), real(0.01f, 0.5f), body());
       case 3:
         return fmt::format("Material \"conductor\" \"float roughness\" {}\n",
                            whole(0, 1) == 0 ? 0.f : real(0.01f, 0.4f));
       case 4: return "Material \"conductor\" \"rgb reflectance\" [.9 .7 .4] \"float uroughness\" .3\n";
       case 5: return "Material \"thindielectric\" \"rgb tint\" [.9 .6 .8]\n";
       case 6:
-        return fmt::format("Material \"dielectric\" {} \"float roughness\" {}\n",
+        return fmt::format("Material \"dielectric\" {} \"float roughness\" {} {}\n",
                            whole(0, 1) == 0 ? "\"string glass\" \"SF11\"" : "\"float eta\" 1.5 \"float abbe\" 20",
-                           whole(0, 2) == 0 ? 0.2f : 0.f);
+                           whole(0, 2) == 0 ? 0.2f : 0.f, body());
       case 7: return "Material \"conductor\" \"texture reflectance\" \"picture\" \"texture roughness\" \"grain\"\n";
       case 8: return "Material \"diffuse\" \"texture reflectance\" \"tiles\"\n";
       default: return "Material \"diffuse\" \"texture reflectance\" \"picture\"\n";
     }
+  }
+  /// What glass absorbs, and its priority, if it has any.
+  std::string body() {
+    std::string s;
+    if (whole(0, 2) > 0)
+      s += fmt::format("\"rgb attenuationcolor\" [{} {} {}] ", real(0.1f, 1), real(0.1f, 1), real(0.1f, 1));
+    if (whole(0, 1) > 0) s += fmt::format("\"integer priority\" {} ", whole(-1, 2));
+    return s;
+  }
+  /// A body, perhaps with another in it, or one around everything.
+  std::string bodies() {
+    static constexpr int kGlass[] = {1, 2, 6};
+    const auto glass = [&] { return material(kGlass[whole(0, 2)]); };
+    if (whole(0, 5) == 0) return "AttributeBegin " + glass() + "Shape \"sphere\" \"float radius\" 7 AttributeEnd\n";
+    std::string s = "AttributeBegin " + place() + "\n" + glass() + "Shape \"sphere\" \"float radius\" .7\n";
+    if (whole(0, 2) > 0) s += glass() + "Translate .2 .1 0 Shape \"sphere\" \"float radius\" .6\n";
+    return s + "AttributeEnd\n";
   }
   std::string shape(bool may_change) {
     const std::string solid = solid_shape();

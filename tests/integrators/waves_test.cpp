@@ -173,6 +173,7 @@ TEST(Waves, SayWhatHasNoPlainForm) {
   refuses("Texture \"t\" \"float\" \"vertexcolor\" Shape \"sphere\" \"texture alpha\" \"t\"\n",
           "has holes by a texture that has no plain form");
   refuses("Shape \"curve\" \"point3 P\" [0 0 0 1 0 0 1 1 0 0 1 0]\n", "none of the plain kinds");
+  refuses("Material \"subsurface\" Shape \"sphere\"\n", "light is scattered inside");
   refuses("LightSource \"point\" \"rgb I@1\" [1 1 1] \"rgb I@3\" [2 1 1]\n", "lights differ between frames");
   refuses("MakeNamedMedium \"fog\" \"string type\" \"homogeneous\" MediumInterface \"fog\" \"\" Shape \"sphere\"\n",
           "there are media");
