@@ -41,10 +41,10 @@ class PlainRandomScene {
       s += "AttributeBegin\n" + material(whole(0, 3) > 1 ? 0 : any_kind(view)) +
            fmt::format("Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point3 P\" [{}] {}\nAttributeEnd\n",
                        wall, view.walls);
-    for (int i = 0; i < view.lights; ++i) s += light(whole(0, 4));
+    for (int i = 0; i < view.lights; ++i) s += light(whole(0, 5));
     for (int i = 0; i < 3; ++i)
       s += "AttributeBegin\n" + place() + "\n" + material(any_kind(view)) + shape(false) + "AttributeEnd\n";
-    if (whole(0, 1) == 0) s += bodies();
+    s += bodies();
     for (int i = 0; i < 2; ++i)
       s += fmt::format("DynamicBegin \"thing{}\" {}\nKeyframe 1 {} Keyframe {} {} KeyframeEnd\n{}DynamicEnd\n", i,
                        material(any_kind(view)), place(), whole(2, kFrames), place(), shape(true));
@@ -139,6 +139,9 @@ class PlainRandomScene {
   }
   std::string light(int kind) {
     switch (kind) {
+      case 5:
+        return "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [6 7 8] " + place() + " " + material(whole(1, 2)) +
+               "Shape \"sphere\" \"float radius\" .3 AttributeEnd\n";
       case 0:
         return "AttributeBegin Translate 0 1.6 0 Rotate 90 1 0 0 AreaLightSource \"diffuse\" \"rgb L\" [9 8 7] \"bool "
                "twosided\" true Shape \"disk\" \"float radius\" .5 " +

@@ -84,10 +84,12 @@ TEST(Waves, KnowTheSurfacesOfShapesAndTheirHoles) {
 
 TEST(Waves, LeaveThePhotonsOfPathsOneByOne) {
   std::size_t all = 0, hidden = 0, parted = 0, of_one_wavelength = 0;
+  int nested = 0, within = 0;  // scenes with bodies in one another, and within one
   for (unsigned seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
     TestScene test(PlainRandomScene(seed).text("\"dsppm\""));
     const auto scene = test.scene(test.all_frames());
+    nested += scene->nests, within += !scene->around_camera.empty();
     PhotonSettings settings;
     settings.hidden = true, settings.seed = seed, settings.max_depth = 6, settings.paths_per_trace = 512;
     if (seed % 3 == 1) settings.kinds = kCausticPhotons | kDiffusePhotons;
@@ -124,7 +126,9 @@ TEST(Waves, LeaveThePhotonsOfPathsOneByOne) {
   EXPECT_GT(all, 100'000u);
   EXPECT_GT(hidden, 100u);
   EXPECT_GT(parted, 20'000u);
-  EXPECT_GT(of_one_wavelength, 1000u);
+  EXPECT_GT(of_one_wavelength, 10'000u);
+  EXPECT_GT(nested, 20);
+  EXPECT_GT(within, 5);
 }
 
 std::vector<Image> images(const std::string& text, const char* device) {
@@ -147,6 +151,23 @@ TEST(Waves, LeaveImagesAsTheyAre) {
       ASSERT_EQ(cpu.size(), waves.size());
       for (std::size_t f = 0; f < cpu.size(); ++f) EXPECT_EQ(cpu[f].pixels, waves[f].pixels) << f;
     }
+}
+
+TEST(Waves, GatherOnRoughGlassInWater) {
+  const std::string text = R"(
+    Integrator "dsppm" "integer photons" 2000
+    LookAt 0 0 -4  0 0 0  0 1 0
+    Camera "perspective" "float fov" 40
+    Film "rgb" "integer xresolution" 16 "integer yresolution" 12
+    WorldBegin
+    LightSource "point" "rgb I" [30 30 30] "point3 from" [2 3 -3]
+    Material "diffuse"
+    Shape "sphere" "float radius" 10
+    Material "dielectric" "float eta" 1.33 "rgb attenuationcolor" [.7 .8 .9] "integer priority" 1
+    Shape "sphere" "float radius" 1.2
+    Material "dielectric" "float eta" 1.6 "float roughness" .5 "integer priority" 2
+    Shape "sphere" "float radius" .9)";
+  EXPECT_EQ(images(text, "cpu").front().pixels, images(text, "waves").front().pixels);
 }
 
 std::string why_refused(const std::string& integrator, const std::string& more) {
