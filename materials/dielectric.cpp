@@ -20,8 +20,6 @@
 // should be closed; what is opaque may lie in it. Where bodies overlap, the one of the higher "priority" is there, and
 // eta is that over air; between bodies of equal priority it is as written, and the body that light entered last counts.
 // [Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces; glTF 2.0, KHR_materials_volume]
-#include <algorithm>
-#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -40,13 +38,6 @@
 
 namespace dspm {
 namespace {
-
-/// Makes the roughness fade near an index of 1. Facets hardly turn light aside there, so what meets a second one is not
-/// lost, as the model has it; and glass vanishes as its index approaches 1.
-float share_of_roughness(float eta) {
-  constexpr float kFull = 0.05f;
-  return std::min(std::abs(eta - 1) / kFull, 1.f);
-}
 
 /// Keeps the tables alive.
 struct KeptTables {
@@ -74,7 +65,8 @@ class DielectricMaterial final : public Material {
   }
 
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
-    return look(point, roughness_.here(point)).with_bsdf(point, IntoSlot{slot});
+    return RefractingGlass{roughness_.here(point), {index_, point}, tables_in(point.outside_eta)}.with_bsdf(
+        point, IntoSlot{slot});
   }
   bool bounds_a_body() const override { return true; }
   float eta() const override { return index_.mean(); }
@@ -83,14 +75,11 @@ class DielectricMaterial final : public Material {
   Spectrum absorption(const Palette& palette) const override { return absorption_.per_length(palette); }
 
  private:
-  PlainDielectric look(const SurfacePoint& point, const PlainRoughness& roughness) const {
-    const Refraction refraction(index_, point);
-    const float share = std::min(share_of_roughness(refraction.mean_eta), share_of_roughness(refraction.eta));
-    return {roughness, share, refraction, tables_ ? tables_->of(point.outside_eta).tables() : GlassTables{}};
-  }
-  std::optional<PlainMaterial> plain_look(const Palette& palette) const override {
+  GlassTables tables_in(float outside_eta) const { return tables_ ? tables_->of(outside_eta).tables() : GlassTables{}; }
+  std::optional<PlainMaterial> plain_within(const Palette& palette, const PlainIndex& outside) const override {
     const auto roughness = roughness_.plain(palette);
-    return roughness ? std::optional<PlainMaterial>(look(SurfacePoint{}, *roughness)) : std::nullopt;
+    if (!roughness) return std::nullopt;
+    return PlainDielectric{*roughness, index_.plain(), outside, tables_in(outside.mean)};
   }
 
   RefractiveIndex index_;

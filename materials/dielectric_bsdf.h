@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "dspm/base/colour/spectrum.h"
+#include "dspm/base/colour/wavelength.h"
 #include "dspm/base/math/sampling.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/boundary_tables.h"
@@ -214,26 +215,49 @@ constexpr float RoughDielectric::lobe_probability(const Vec3& wo, LobeSet lobes)
   return rest + (1 - made_up) * share_of(sum / (kSteps * kSteps), lobes);
 }
 
-/// The tables must outlive it.
+/// Makes the roughness fade near an index of 1. Facets hardly turn light aside there, so what meets a second one is not
+/// lost, as the model has it; and glass vanishes as its index approaches 1.
+constexpr float share_of_roughness(float eta) {
+  constexpr float kFull = 0.05f;
+  return std::min(std::abs(eta - 1) / kFull, 1.f);
+}
+
+/// Glass and how it refracts light at a point. The tables must outlive it.
+struct RefractingGlass {
+  const PlainRoughness& roughness;
+  Refraction refraction;
+  GlassTables tables;
+
+  template <class Fn>
+  constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const Fn& fn) const {
+    const ShadingFrame frame(point);
+    const float share = std::min(share_of_roughness(refraction.mean_eta), share_of_roughness(refraction.eta));
+    const Vec2 alpha = roughness.alpha(place_of(point)) * share;
+    if (Ggx::is_smooth(alpha) || refraction.mean_eta == 1) return fn(SmoothDielectric(frame, refraction));
+    return fn(RoughDielectric(frame, Ggx(alpha), refraction, tables));
+  }
+};
+
+/// The tables and the indices must outlive it.
 struct PlainDielectric {
   PlainRoughness roughness;
-  float share;  // of the roughness that counts
-  Refraction refraction;
+  PlainIndex index, outside;  // outside: around the body, over that for which its own is given
   GlassTables tables;
 
   /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     roughness.each_array(fn);
+    index.each_array(fn);
+    outside.each_array(fn);
     tables.each_array(fn);
   }
 
+  /// `wavelength` is that of the path that has met the point.
   template <class Fn>
-  constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const Fn& fn) const {
-    const ShadingFrame frame(point);
-    const Vec2 alpha = roughness.alpha(place_of(point)) * share;
-    if (Ggx::is_smooth(alpha) || refraction.mean_eta == 1) return fn(SmoothDielectric(frame, refraction));
-    return fn(RoughDielectric(frame, Ggx(alpha), refraction, tables));
+  constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const HuedWavelength& wavelength,
+                                     const Fn& fn) const {
+    return RefractingGlass{roughness, Refraction(index, outside, wavelength), tables}.with_bsdf(point, fn);
   }
 };
 

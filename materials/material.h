@@ -16,6 +16,7 @@
 
 namespace dspm {
 
+struct PlainIndex;
 class PlainMaterial;
 class Relief;
 class TextureSet;
@@ -66,14 +67,17 @@ class Material {
   void set_priority(int priority) { priority_ = priority; }
 
   /// Returns the material as paths of that palette see it, as a plain value, which a device can have. It has the Bsdfs of
-  /// bsdf() wherever outside_eta and outside_dispersion of the point are 1 and there is no footprint. Returns nullopt if
-  /// there is more to say: textures without a plain form, a relief, a priority, dispersion, what light meets in the body. The
-  /// material must outlive it.
+  /// bsdf() wherever `outside` is around the body (see SurfacePoint::outside_eta) and there is no footprint. Returns nullopt if
+  /// there is more to say: textures without a plain form, a relief, light that is scattered inside. The material and `outside`
+  /// must outlive it.
+  std::optional<PlainMaterial> plain(const Palette& palette, const PlainIndex& outside) const;
+  /// The same where the index around the body is 1.
   std::optional<PlainMaterial> plain(const Palette& palette) const;
 
  private:
-  /// plain() of a material without relief or priority, in whose body nothing happens to light, and that does not disperse.
+  /// plain() of a material without relief in whose body no light is scattered. A body overrides plain_within().
   virtual std::optional<PlainMaterial> plain_look(const Palette& palette) const;
+  virtual std::optional<PlainMaterial> plain_within(const Palette& palette, const PlainIndex& outside) const;
 
   std::shared_ptr<const Relief> relief_;
   int priority_ = 0;

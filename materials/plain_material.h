@@ -6,6 +6,7 @@
 #include <concepts>
 #include <cstdint>
 
+#include "dspm/base/colour/wavelength.h"
 #include "dspm/base/math/rng.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/coated_conductor_bsdf.h"
@@ -54,10 +55,11 @@ class PlainLook {
 
   /// See PlainMaterial.
   template <class Fn>
-  constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const Fn& fn) const {
+  constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const HuedWavelength& wavelength,
+                                     const Fn& fn) const {
     switch (kind_) {
       case Kind::diffuse: return diffuse_.with_bsdf(point, fn);
-      case Kind::dielectric: return dielectric_.with_bsdf(point, fn);
+      case Kind::dielectric: return dielectric_.with_bsdf(point, wavelength, fn);
       case Kind::conductor: return conductor_.with_bsdf(point, fn);
       case Kind::thin_dielectric: return thin_dielectric_.with_bsdf(point, fn);
       case Kind::coated_diffuse: return coated_diffuse_.with_bsdf(point, fn);
@@ -107,19 +109,21 @@ class PlainMaterial {
   constexpr PlainMaterial(const PlainLook& first, const PlainLook& second, const PlainValue<float>& amount)
       : first_(first), second_(second), amount_(amount), is_mix_(true) {}
 
-  /// Calls fn(const Plain&) with the Bsdf at the point (plain_bsdf.h), and returns what it does: one type for all Bsdfs.
+  /// Calls fn(const Plain&) with the Bsdf (plain_bsdf.h) at a point that a path of that wavelength has met, and returns what
+  /// it does: one type for all Bsdfs.
   template <class Fn>
-  constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const Fn& fn) const {
-    return (is_second(point) ? second_ : first_).with_bsdf(point, fn);
+  constexpr decltype(auto) with_bsdf(const SurfaceGeometry& point, const HuedWavelength& wavelength,
+                                     const Fn& fn) const {
+    return (is_second(point) ? second_ : first_).with_bsdf(point, wavelength, fn);
   }
 
   /// Calls fn(const Plain&, bool is_there) with the Bsdf that a mix does not have at the point, but may have beside it; and
   /// with the Bsdf at the point, which is there, last.
   template <class Fn>
-  constexpr void with_all_beside(const SurfaceGeometry& point, const Fn& fn) const {
+  constexpr void with_all_beside(const SurfaceGeometry& point, const HuedWavelength& wavelength, const Fn& fn) const {
     const bool second = is_second(point);
     for (int i = is_mix_ ? 0 : 1; i < 2; ++i)
-      ((i == 1) == second ? second_ : first_).with_bsdf(point, [&](const auto& bsdf) { fn(bsdf, i == 1); });
+      ((i == 1) == second ? second_ : first_).with_bsdf(point, wavelength, [&](const auto& bsdf) { fn(bsdf, i == 1); });
   }
 
   /// Returns whether paths that stand for more than a point average a texture of it (Material::averages) that varies: they

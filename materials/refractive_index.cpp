@@ -99,11 +99,8 @@ RefractiveIndex read_refractive_index(ParamReader& reader) {
 }
 
 Refraction::Refraction(const RefractiveIndex& inside, const SurfacePoint& point)
-    : eta(inside.mean() / point.outside_eta), mean_eta(eta) {
-  if (point.wavelength.nm == 0 || !(inside.disperses() || point.outside_dispersion != 1)) return;
-  eta = inside.at(point.wavelength) / (point.outside_eta * point.outside_dispersion);
-  wavelength = point.wavelength;
-  hue_ = wavelength.hue_on_refraction();
+    : Refraction(inside.plain(), point.outside_eta, point.outside_dispersion, point.wavelength) {
+  if (disperses()) hue_ = wavelength.hue_on_refraction();
 }
 
 }  // namespace dspm

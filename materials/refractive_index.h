@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdlib>
 #include <memory>
 #include <vector>
 
@@ -14,6 +13,23 @@
 #include "dspm/shapes/shape.h"
 
 namespace dspm {
+
+/// An index of refraction as a plain value, which a device can have.
+struct PlainIndex {
+  float mean = 1;                // used wherever light is not refracted by its wavelength
+  const float* by_nm = nullptr;  // from kFirstNm to kLastNm; null: it is constant
+
+  /// See plain_copy.h.
+  template <class Fn>
+  constexpr void each_array(Fn&& fn) {
+    fn(by_nm, static_cast<std::size_t>(kLastNm - kFirstNm + 1));
+  }
+
+  constexpr bool disperses() const { return by_nm != nullptr; }
+  constexpr float at(const Wavelength& w) const {
+    return w.nm == 0 || !disperses() ? mean : by_nm[(w.nm < 0 ? -w.nm : w.nm) - kFirstNm];
+  }
+};
 
 class RefractiveIndex {
  public:
@@ -27,10 +43,10 @@ class RefractiveIndex {
 
   float mean() const { return mean_; }
   bool disperses() const { return by_nm_ != nullptr; }
-  float at(const Wavelength& w) const {
-    return w.nm == 0 || !disperses() ? mean_ : (*by_nm_)[static_cast<std::size_t>(std::abs(w.nm) - kFirstNm)];
-  }
+  float at(const Wavelength& wavelength) const { return plain().at(wavelength); }
   float lowest() const;
+  /// This must outlive it.
+  PlainIndex plain() const { return {mean_, by_nm_ == nullptr ? nullptr : by_nm_->data()}; }
 
  private:
   float mean_;
@@ -49,6 +65,10 @@ struct Refraction {
   Refraction(float at_wavelength, float mean, const Wavelength& of)
       : eta(at_wavelength), mean_eta(mean), wavelength(of), hue_(of.hue_on_refraction()) {}
   Refraction(const RefractiveIndex& inside, const SurfacePoint& point);
+  constexpr Refraction(const PlainIndex& inside, const PlainIndex& outside, const HuedWavelength& of)
+      : Refraction(inside, outside.mean, outside.at(of.of) / outside.mean, of.of) {
+    if (disperses()) hue_ = of.hue_on_refraction();
+  }
 
   constexpr bool disperses() const { return wavelength.nm != 0; }
   /// Returns whether what is mirrored on that side (+1 outside) depends on the wavelength. Where light comes from what is
@@ -77,6 +97,14 @@ struct Refraction {
   friend constexpr bool operator==(const Refraction&, const Refraction&) = default;
 
  private:
+  /// See SurfacePoint. It has no hue yet.
+  constexpr Refraction(const PlainIndex& inside, float outside_eta, float outside_dispersion, const Wavelength& of)
+      : eta(inside.mean / outside_eta), mean_eta(eta) {
+    if (of.nm == 0 || !(inside.disperses() || outside_dispersion != 1)) return;
+    eta = inside.at(of) / (outside_eta * outside_dispersion);
+    wavelength = of;
+  }
+
   Spectrum hue_{1};  // looked up when it is constructed, as a device has no table of hues
 };
 

@@ -20,8 +20,9 @@ struct Wavelength {
   // The path's throughput is then multiplied by the hue; if not, whoever adds its light multiplies by it.
   bool weighs = false;
 
-  /// Returns the factor to f where the path is refracted by its wavelength.
+  /// Returns the factor to f where the path is refracted by its wavelength: its hue, or 1.
   Spectrum hue_on_refraction() const;
+  constexpr bool gets_hue_on_refraction() const { return weighs && !alone; }
   /// Returns the wavelength if the path's light has it alone and lacks its hue, else 0.
   constexpr std::int16_t only_nm() const { return alone && !weighs ? nm : std::int16_t{0}; }
   friend constexpr bool operator==(const Wavelength&, const Wavelength&) = default;
@@ -47,7 +48,26 @@ std::array<double, 3> part_of_white(int nm);
 /// never negative: what lies outside Rec. 709 is clamped to it.
 Spectrum hue(int nm);
 
-inline Spectrum Wavelength::hue_on_refraction() const { return weighs && !alone ? hue(nm) : Spectrum(1); }
+inline Spectrum Wavelength::hue_on_refraction() const { return gets_hue_on_refraction() ? hue(nm) : Spectrum(1); }
+
+/// A wavelength with its hue, for devices, which have no table of hues.
+struct HuedWavelength {
+  Wavelength of = {};
+  Spectrum hue{1};
+
+  HuedWavelength() = default;
+  explicit HuedWavelength(const Wavelength& wavelength) : of(wavelength) {
+    if (of.nm != 0) hue = dspm::hue(of.nm);
+  }
+
+  /// Returns that of a path whose light has it alone, or not.
+  constexpr HuedWavelength of_path(bool alone) const {
+    HuedWavelength wavelength = *this;
+    wavelength.of.alone = alone;
+    return wavelength;
+  }
+  constexpr Spectrum hue_on_refraction() const { return of.gets_hue_on_refraction() ? hue : Spectrum(1); }
+};
 
 /// Returns the factor to light that a camera path finds, if that light has one wavelength and lacks its hue; 0: it has all
 /// colours. The hue counts once: the throughput of a camera path of one wavelength has it already.

@@ -9,24 +9,12 @@ namespace {
 /// list.
 Boundary boundary_between(const Vertex& vertex, FrameSet frames, const Material& own, std::span<const int> others,
                           std::span<const Material* const> states, const Inside& inside) {
-  Boundary boundary{frames, true, inside};
-  std::array<const Material*, Inside::kMost> around{};
-  std::copy(states.begin(), states.end(), around.begin());
-  if (vertex.leads_inside(vertex.wo) && !inside.contains(vertex.body)) {
-    for (std::size_t i = 0; i < others.size(); ++i) {
-      if (around[i] == nullptr || around[i]->priority() != own.priority()) continue;
-      around[i] = nullptr;
-      boundary.arriving.leave(others[i]);
-    }
-    boundary.arriving.enter(vertex.body);
-  }
-  const Material* top = top_of(std::span(around).first(others.size()));
-  if (top == nullptr || top->priority() == own.priority()) return boundary;
-  // What emits light is there in any case: it is a light, wherever it is.
-  boundary.is_there = top->priority() < own.priority() || vertex.shape.light >= 0;
-  if (!boundary.is_there) return boundary;
-  boundary.outside_eta = top->eta();
-  boundary.outside_dispersion = top->eta_at(vertex.point.wavelength) / top->eta();
+  const MetSurface<Material> met =
+      met_surface(vertex.body, own, vertex.leads_inside(vertex.wo), vertex.shape.light >= 0, inside, others, states);
+  Boundary boundary{frames, met.is_there, met.arriving};
+  if (met.around == nullptr) return boundary;
+  boundary.outside_eta = met.around->eta();
+  boundary.outside_dispersion = met.around->eta_at(vertex.point.wavelength) / met.around->eta();
   return boundary;
 }
 

@@ -15,20 +15,12 @@
 
 #include "dspm/base/math/frame_array.h"
 #include "dspm/base/math/frames.h"
+#include "dspm/integrators/transport/overlap.h"
 #include "dspm/integrators/transport/path_step.h"
 #include "dspm/world/scene/inside.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {
-
-/// Returns which of the bodies is there; null if none is. Bodies are given by their materials, null for one that bounds
-/// no body, in the order in which they were entered.
-inline const Material* top_of(std::span<const Material* const> bodies) {
-  const Material* top = nullptr;
-  for (const Material* each : bodies)
-    if (each != nullptr && (top == nullptr || each->priority() >= top->priority())) top = each;
-  return top;
-}
 
 /// Calls fn(FrameSet, std::span<const Material* const>) for each combination of the bodies' states among `frames`, with
 /// null where a state bounds no body.

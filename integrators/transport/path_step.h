@@ -12,6 +12,7 @@
 #include "dspm/base/math/rng.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/integrators/transport/medium_vertex.h"
+#include "dspm/integrators/transport/overlap.h"
 #include "dspm/integrators/transport/sample_bsdf.h"
 #include "dspm/integrators/transport/shading_correction.h"
 #include "dspm/integrators/transport/strand.h"
@@ -68,16 +69,11 @@ struct Vertex {
   const MediumInterface* interface;  // null: the surface parts no media
 
   /// Returns whether w leads into the body.
-  bool leads_inside(const Vec3& w) const { return body != kNoBody && dot(w, point.ng) < 0; }
+  bool leads_inside(const Vec3& w) const { return dspm::leads_inside(body, point.ng, w); }
   /// Returns what a segment in direction w lies in, if the one that arrived here lay in `arriving`.
   Inside inside_beyond(const Inside& arriving, const Vec3& w) const {
-    Inside beyond = arriving;
+    Inside beyond = dspm::inside_beyond(arriving, body, point.ng, wo, w);
     if (interface != nullptr) beyond.medium = interface->medium_towards(dot(w, point.ng) > 0);
-    if (leads_inside(w) == leads_inside(wo)) return beyond;
-    if (leads_inside(w))
-      beyond.enter(body);
-    else
-      beyond.leave(body);
     return beyond;
   }
   /// Returns whether textures may average over what the path stands for. They may not if something else varies with

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "dspm/base/colour/spectrum.h"
+#include "dspm/base/colour/wavelength.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/rng.h"
@@ -17,8 +18,10 @@
 #include "dspm/integrators/transport/light_value.h"
 #include "dspm/integrators/transport/roulette_chance.h"
 #include "dspm/integrators/transport/sample_bsdf.h"
+#include "dspm/integrators/waves/arrivals.h"
 #include "dspm/integrators/waves/plain_scene.h"
 #include "dspm/integrators/waves/wave_order.h"
+#include "dspm/world/scene/inside.h"
 
 namespace dspm {
 
@@ -28,6 +31,7 @@ struct CameraWave {
   float least_alpha;
   bool keep_bsdf;
   bool may_hide_photons;
+  HuedWavelength wavelength;
 };
 
 /// A camera path on its way, see CameraPath. What it stands for is not followed: no texture that is averaged may vary.
@@ -44,6 +48,8 @@ struct CameraState {
   std::uint32_t path;   // its number: the camera's states start paths of one number
   std::uint16_t bounces;
   bool caught;
+  bool alone;  // see Wavelength
+  BodiesOfPath bodies;
 };
 
 /// A hit point as a step leaves it.
@@ -60,6 +66,8 @@ struct WaveHitPoint {
   bool constant;  // f is, and among the throughput
   bool glossy;    // the lobes extend the path as well, and gather hidden photons only
   bool caught;
+  bool alone;     // see Wavelength
+  Inside inside;  // of the path as it has arrived
 
   /// See WavePhoton::order().
   constexpr std::uint64_t order() const { return wave_order(start, bounces, frames, glossy); }
@@ -87,10 +95,8 @@ struct WaveSight {
 template <class Out>
 class CameraAtSurface {
  public:
-  /// `path` has arrived in the part's frames.
-  constexpr CameraAtSurface(const CameraWave& wave, const CameraState& path, const PlainPlacedShape& shape,
-                            const FrameHit& part, const SurfaceGeometry& point, Out& out)
-      : wave_(wave), path_(path), shape_(shape), part_(part), point_(point), wo_(-path.ray.direction), out_(out) {}
+  constexpr CameraAtSurface(const CameraWave& wave, const CameraState& path, const Arrival& at, Out& out)
+      : wave_(wave), path_(path), at_(at), point_(at.point), wo_(-path.ray.direction), out_(out) {}
 
   template <class AnyBsdf>
   constexpr void arrive(const AnyBsdf& bsdf) {
@@ -112,12 +118,13 @@ class CameraAtSurface {
 
   template <class AnyBsdf>
   constexpr void scatter(const AnyBsdf& bsdf, const LobeChoice& choice) {
-    if ((choice.lobes & bsdf.lobes(kLeastRoughness)) != 0) out_.see({path_, part_, choice, WaveSight::Kind::samples});
+    if ((choice.lobes & bsdf.lobes(kLeastRoughness)) != 0)
+      out_.see({path_, at_.part, choice, WaveSight::Kind::samples});
     const auto glossy = static_cast<LobeSet>(choice.lobes & glossy_lobes(bsdf, point_, wave_.least_alpha));
     if (glossy != 0 && wave_.may_hide_photons) store(Spectrum(1 / choice.chance), glossy, false, true);
     const auto sample = sample_bsdf(bsdf, wo_, Transport::radiance, choice.lobes, path_.random, path_.bounces);
     if (!sample) return;
-    if (!is_finite(sample->wi)) return out_.reject_material(path_, shape_.material);
+    if (!is_finite(sample->wi)) return out_.reject_material(path_, at_.shape.material);
     CameraState next = path_;
     next.eta_scale *= sample->eta_scale;
     const Spectrum after = if_light(path_.throughput * (sample->weight / choice.chance));
@@ -125,7 +132,9 @@ class CameraAtSurface {
                                        path_.random.number(path_.bounces, kRoulette));
     if (is_black(next.throughput)) return;
     next.ray = point_.spawn(sample->wi);
+    next.bodies = bodies_beyond(path_.bodies, at_, wo_, sample->wi);
     next.from = point_.p, next.from_ng = point_.ng, next.pdf_w = sample->specular ? 0 : sample->pdf_w;
+    next.alone = path_.alone || sample->by_wavelength;
     ++next.bounces;
     out_.push(next);
   }
@@ -133,20 +142,19 @@ class CameraAtSurface {
   constexpr void store(const Spectrum& factor, LobeSet lobes, bool constant, bool glossy) {
     const Spectrum throughput = if_light(path_.throughput * factor);
     if (is_black(throughput)) return;
-    out_.store({point_, wo_, throughput, path_.frames, path_.length, part_.hit, path_.start, path_.bounces, lobes,
-                constant, glossy, path_.caught});
+    out_.store({point_, wo_, throughput, path_.frames, path_.length, at_.part.hit, path_.start, path_.bounces, lobes,
+                constant, glossy, path_.caught, path_.alone, path_.bodies.inside});
   }
 
   constexpr Spectrum if_light(const Spectrum& carried) {
     if (is_light(carried)) return carried;
-    out_.reject_material(path_, shape_.material);
+    out_.reject_material(path_, at_.shape.material);
     return {};
   }
 
   const CameraWave& wave_;
   const CameraState& path_;
-  const PlainPlacedShape& shape_;
-  const FrameHit& part_;
+  const Arrival& at_;
   const SurfaceGeometry& point_;
   Vec3 wo_;
   Out& out_;
@@ -161,28 +169,26 @@ class CameraAtSurface {
 template <class Query, class Out>
 constexpr void step(const PlainScene& scene, const Query& query, const CameraWave& wave, const CameraState& path,
                     Out& out) {
-  const HitPartition parts = query.partition(path.ray, path.frames);
-  out.segment(path, parts);
-  for (const FrameHit& part : parts) {
-    CameraState arrived = path;
-    arrived.frames = part.frames;
-    if (part.hit.missed()) {
-      out.see({arrived, part, {}, WaveSight::Kind::escape});
-      continue;
+  struct Tracer {
+    const CameraWave& wave;
+    Out& out;
+
+    constexpr void escaped(const CameraState& here, const FrameHit& part) const {
+      out.see({here, part, {}, WaveSight::Kind::escape});
     }
-    const PlainPlacedShape& shape = scene.shape_of(part.hit);
-    const SurfaceGeometry point = shape.surface_point(part.hit.primitive, part.hit.uv);
-    if (!is_finite(point)) {
-      out.reject_shape(arrived, part.hit.shape);
-      continue;
+    constexpr void lost(const CameraState& here, int shape) const { out.reject_shape(here, shape); }
+    constexpr void arrived(const CameraState& before, const Arrival& at) const {
+      CameraState here = before;
+      here.length += at.part.hit.t;
+      if (here.bounces == 0) here.caught = at.shape.catches_shadows;
+      if (at.shape.emits) out.see({here, at.part, {}, WaveSight::Kind::emission});
+      if (here.bounces >= wave.max_depth) return;
+      CameraAtSurface<Out> surface(wave, here, at, out);
+      at.material.with_bsdf(at.point, wave.wavelength.of_path(here.alone),
+                            [&](const auto& bsdf) { surface.arrive(bsdf); });
     }
-    arrived.length += part.hit.t;
-    if (path.bounces == 0) arrived.caught = shape.catches_shadows;
-    if (shape.emits) out.see({arrived, part, {}, WaveSight::Kind::emission});
-    if (path.bounces >= wave.max_depth) continue;
-    CameraAtSurface<Out> surface(wave, arrived, shape, part, point, out);
-    scene.materials[shape.material].with_bsdf(point, [&](const auto& bsdf) { surface.arrive(bsdf); });
-  }
+  };
+  for_each_arrival(scene, query, path, out, Tracer{wave, out});
 }
 
 }  // namespace dspm

@@ -16,6 +16,7 @@
 #include "dspm/integrators/transport/light_value.h"
 #include "dspm/integrators/waves/plain_scene.h"
 #include "dspm/integrators/waves/shared_sums.h"
+#include "dspm/world/scene/inside.h"
 
 namespace dspm {
 
@@ -36,6 +37,7 @@ struct GatherScattering {
   Vec3 wo, p_error;
   LobeSet lobes;
   bool transmits;
+  Inside inside;  // the bodies around the hit point
 };
 
 /// The sums of one hit point, see GatheredFlux.
@@ -90,7 +92,8 @@ struct GatherSteps {
     const GatherPoint& point = points[i];
     const PlainPlacedShape& shape = scene.shape_of(at.hit);
     const SameSurface surface(point.p, point.ng, at.p_error, point.face, rounded::sqrt(point.radius2));
-    scene.materials[shape.material].with_bsdf(shape.surface_point(at.hit.primitive, at.hit.uv), [&](const auto& bsdf) {
+    const SurfaceGeometry met = shape.surface_point(at.hit.primitive, at.hit.uv);
+    scene.materials[scene.place_of_material(at.hit, at.inside)].with_bsdf(met, {}, [&](const auto& bsdf) {
       gather(i, shape.material, [&](const PlainPhotonGrid& in, std::uint32_t place) -> std::optional<Spectrum> {
         const GatheredPhoton& photon = in.photons[place];
         const bool counts = at.transmits ? surface.counts(in.grid.point(place), photon.wi, in.faces[place])

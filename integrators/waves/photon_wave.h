@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "dspm/base/colour/spectrum.h"
+#include "dspm/base/colour/wavelength.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/rng.h"
@@ -20,6 +21,7 @@
 #include "dspm/integrators/transport/sample_bsdf.h"
 #include "dspm/integrators/transport/shading_correction.h"
 #include "dspm/integrators/transport/shape_face.h"
+#include "dspm/integrators/waves/arrivals.h"
 #include "dspm/integrators/waves/plain_scene.h"
 #include "dspm/integrators/waves/wave_order.h"
 
@@ -30,6 +32,7 @@ struct PhotonWave {
   int max_depth;
   float least_alpha;
   unsigned kinds;
+  HuedWavelength wavelength;
 };
 
 /// A photon path on its way, with all that tells it from others.
@@ -44,7 +47,9 @@ struct PhotonState {
   std::uint16_t bounces;
   std::uint8_t kind;
   bool hidden, caustics;
+  bool alone;         // see Wavelength
   bool wants_direct;  // photons straight from its light are to be stored
+  BodiesOfPath bodies;
 };
 
 /// A photon as a step leaves it.
@@ -57,6 +62,7 @@ struct WavePhoton {
   std::uint16_t bounces;
   std::uint8_t kind;
   bool hidden;  // see PhotonTrace::hidden
+  bool alone;   // see Wavelength
 
   /// Photons in the order of these numbers, which differ, are in the order of path, bounce and frame.
   constexpr std::uint64_t order() const { return wave_order(path, bounces, frames, hidden); }
@@ -65,13 +71,12 @@ struct WavePhoton {
 /// Where the flux of a path goes; see EnergyBalance.
 enum class PhotonEnd : std::uint8_t { escaped, absorbed, terminated, too_deep };
 
-/// A path that has met a surface.
+/// A path that has arrived at a surface.
 template <class Out>
 class PhotonAtSurface {
  public:
-  constexpr PhotonAtSurface(const PhotonWave& wave, const PhotonState& path, const PlainPlacedShape& shape,
-                            const FrameHit& part, const SurfaceGeometry& point, Out& out)
-      : wave_(wave), path_(path), shape_(shape), part_(part), point_(point), wo_(-path.ray.direction), out_(out) {}
+  constexpr PhotonAtSurface(const PhotonWave& wave, const PhotonState& path, const Arrival& at, Out& out)
+      : wave_(wave), path_(path), at_(at), point_(at.point), wo_(-path.ray.direction), out_(out) {}
 
   /// Call this with all Bsdfs that may be beside the point, and last with the one that is there.
   template <class AnyBsdf>
@@ -90,30 +95,32 @@ class PhotonAtSurface {
   constexpr void store(bool hidden) {
     const auto correction = arrival_correction(point_.ns, point_.ng, wo_);
     if (!correction) return;
-    out_.store({point_.p, point_.ng, wo_, path_.throughput * *correction, part_.frames,
-                ShapeFace(part_.hit.shape, point_.ng, wo_), path_.start, path_.path, path_.bounces, path_.kind,
-                hidden});
+    out_.store({point_.p, point_.ng, wo_, path_.throughput * *correction, path_.frames,
+                ShapeFace(at_.part.hit.shape, point_.ng, wo_), path_.start, path_.path, path_.bounces, path_.kind,
+                hidden, path_.alone});
   }
 
   template <class AnyBsdf>
   constexpr void scatter(const AnyBsdf& bsdf) {
-    if (path_.bounces + 1 >= wave_.max_depth) return out_.end(path_, part_.frames, PhotonEnd::too_deep);
+    if (path_.bounces + 1 >= wave_.max_depth) return out_.end(path_, PhotonEnd::too_deep);
     const LobeChoice choice = choose_lobes(bsdf, point_, wo_, wave_.least_alpha, path_.random, path_.bounces);
     const unsigned kind = kind_after(path_.kind, choice.rough);
     const bool wanted =
-        kind == kDiffusePhotons ? (wave_.kinds & kDiffusePhotons) != 0 : path_.caustics && shape_.caustics;
-    if (!wanted) return out_.end(path_, part_.frames, PhotonEnd::terminated);
+        kind == kDiffusePhotons ? (wave_.kinds & kDiffusePhotons) != 0 : path_.caustics && at_.shape.caustics;
+    if (!wanted) return out_.end(path_, PhotonEnd::terminated);
     const auto sample = sample_bsdf(bsdf, wo_, Transport::flux, choice.lobes, path_.random, path_.bounces);
     const bool valid = !sample || is_finite(sample->wi);
-    if (!valid) out_.reject_material(path_, shape_.material, part_.frames);
-    if (!sample || !valid) return out_.end(path_, part_.frames, PhotonEnd::absorbed);
+    if (!valid) out_.reject_material(path_, at_.shape.material);
+    if (!sample || !valid) return out_.end(path_, PhotonEnd::absorbed);
     const float correction = shading_correction(point_, wo_, sample->wi);
     const Spectrum after = path_.throughput * (sample->weight * (correction / choice.chance));
     const Spectrum surviving = play_roulette(after);
     if (is_black(surviving)) return;
     PhotonState next = path_;
-    next.ray = point_.spawn(sample->wi), next.throughput = surviving, next.frames = part_.frames;
+    next.ray = point_.spawn(sample->wi), next.throughput = surviving,
+    next.bodies = bodies_beyond(path_.bodies, at_, wo_, sample->wi);
     next.kind = static_cast<std::uint8_t>(kind), next.hidden = path_.hidden && sample->specular;
+    next.alone = path_.alone || sample->by_wavelength;
     ++next.bounces;
     out_.push(next);
   }
@@ -121,21 +128,20 @@ class PhotonAtSurface {
   constexpr Spectrum play_roulette(const Spectrum& after) {
     const Spectrum& before = path_.throughput;
     if (!is_light(after)) {
-      out_.reject_material(path_, shape_.material, part_.frames);
-      out_.end(path_, part_.frames, PhotonEnd::terminated);
+      out_.reject_material(path_, at_.shape.material);
+      out_.end(path_, PhotonEnd::terminated);
       return {};
     }
     const float p = std::min(1.f, max_component(after) / max_component(before));
     const float u = path_.random.number(path_.bounces, kRoulette);
     const Spectrum surviving = left_by_roulette(after, p, u);
-    out_.scatter(part_.frames, before, after, surviving);
+    out_.scatter(path_.frames, before, after, surviving);
     return surviving;
   }
 
   const PhotonWave& wave_;
   const PhotonState& path_;
-  const PlainPlacedShape& shape_;
-  const FrameHit& part_;
+  const Arrival& at_;
   const SurfaceGeometry& point_;
   Vec3 wo_;
   Out& out_;
@@ -146,33 +152,30 @@ class PhotonAtSurface {
 ///   void segment(const PhotonState&, const HitPartition&)         a ray was traced
 ///   void store(const WavePhoton&)                                 a photon to be stored
 ///   void push(const PhotonState&)                                 the path goes on, in the next wave
-///   void end(const PhotonState&, FrameSet, PhotonEnd)             its flux ends in these frames
+///   void end(const PhotonState&, PhotonEnd)                       its flux ends
+///   void dim(FrameSet, before, after)                             what bodies leave of its flux
 ///   void scatter(FrameSet, before, after, surviving)              what a surface and roulette make of its flux
-///   void reject_shape(const PhotonState&, int, FrameSet), reject_material(const PhotonState&, int, FrameSet)
-///                                                                 values that are not finite
+///   void reject_shape(const PhotonState&, int), reject_material(const PhotonState&, int)   values that are not finite
 template <class Query, class Out>
 constexpr void step(const PlainScene& scene, const Query& query, const PhotonWave& wave, const PhotonState& path,
                     Out& out) {
-  const HitPartition parts = query.partition(path.ray, path.frames);
-  out.segment(path, parts);
-  for (const FrameHit& part : parts) {
-    if (part.hit.missed()) {
-      out.end(path, part.frames, PhotonEnd::escaped);
-      continue;
+  struct Tracer {
+    const PhotonWave& wave;
+    Out& out;
+
+    constexpr void escaped(const PhotonState& here, const FrameHit&) const { out.end(here, PhotonEnd::escaped); }
+    constexpr void lost(const PhotonState& here, int shape) const {
+      out.reject_shape(here, shape);
+      out.end(here, PhotonEnd::absorbed);
     }
-    const PlainPlacedShape& shape = scene.shape_of(part.hit);
-    const SurfaceGeometry point = shape.surface_point(part.hit.primitive, part.hit.uv);
-    if (!is_finite(point)) {
-      out.reject_shape(path, part.hit.shape, part.frames);
-      out.end(path, part.frames, PhotonEnd::absorbed);
-    } else if (path.bounces == 0 && part.hit.t < path.must_reach) {
-      out.end(path, part.frames, PhotonEnd::absorbed);
-    } else {
-      PhotonAtSurface<Out> arrived(wave, path, shape, part, point, out);
-      scene.materials[shape.material].with_all_beside(
-          point, [&](const auto& bsdf, bool is_there) { arrived.arrive(bsdf, is_there); });
+    constexpr void arrived(const PhotonState& here, const Arrival& at) const {
+      if (here.bounces == 0 && at.part.hit.t < here.must_reach) return out.end(here, PhotonEnd::absorbed);
+      PhotonAtSurface<Out> surface(wave, here, at, out);
+      at.material.with_all_beside(at.point, wave.wavelength.of_path(here.alone),
+                                  [&](const auto& bsdf, bool is_there) { surface.arrive(bsdf, is_there); });
     }
-  }
+  };
+  for_each_arrival(scene, query, path, out, Tracer{wave, out});
 }
 
 }  // namespace dspm

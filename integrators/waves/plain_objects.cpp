@@ -2,7 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
 #include "dspm/accel/two_level.h"
+#include "dspm/base/colour/spectral_curve.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/shapes/cutout.h"
 #include "dspm/shapes/triangle_mesh.h"
@@ -31,6 +36,7 @@ PlainPlacedShape plain(const Scene& scene, std::size_t index, std::deque<PlainTe
     shape.shape = *placed.shape->plain();
   shape.to_world = placed.to_world, shape.in_object_space = placed.in_object_space();
   shape.flips_normals = placed.flip_normals, shape.caustics = placed.caustics, shape.material = placed.material;
+  shape.body = scene.body_of(placed.material);
   shape.emits = placed.light >= 0, shape.catches_shadows = scene.is_catcher(static_cast<int>(index));
   if (placed.cutout != nullptr) shape.alpha = &alphas.emplace_back(*placed.cutout->plain());
   shape.cutout_key = placed.cutout_key;
@@ -41,9 +47,6 @@ PlainPlacedShape plain(const Scene& scene, std::size_t index, std::deque<PlainTe
 
 std::string why_not_plain(const Scene& scene) {
   if (!scene.media.empty()) return "there are media";
-  if (!scene.bounds_bodies.empty())
-    return "light passes through bodies that absorb or scatter it, or lie in one another";
-  if (scene.disperses) return "a body refracts light by its wavelength";
   if (dynamic_cast<const TwoLevel*>(scene.accel.get()) == nullptr) return "the accelerator is not \"two-level\"";
   if (const int s = first_not_plain(scene.shapes); s >= 0)
     return name_of(scene, scene.shapes[static_cast<std::size_t>(s)]) + " is none of the plain kinds";
@@ -53,6 +56,7 @@ std::string why_not_plain(const Scene& scene) {
     const Material* const material =
         only_state(scene.materials[static_cast<std::size_t>(shape.material)], scene.frames());
     if (material == nullptr) return "the material of " + name_of(scene, shape) + " differs between frames";
+    if (material->scatters_inside()) return "light is scattered inside " + name_of(scene, shape);
     if (!material->plain(*scene.palette))
       return "the material of " + name_of(scene, shape) + " is none of the plain kinds";
   }
@@ -62,13 +66,59 @@ std::string why_not_plain(const Scene& scene) {
 PlainObjects::PlainObjects(const Scene& scene) : trees_(dynamic_cast<const TwoLevel&>(*scene.accel)) {
   shapes_.reserve(scene.shapes.size());
   for (std::size_t shape = 0; shape < scene.shapes.size(); ++shape) shapes_.push_back(plain(scene, shape, alphas_));
-  materials_.reserve(scene.materials.size());
+  find_bodies(scene);
+  for (std::size_t around = 0; around < surroundings_.size(); ++around)
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) materials_.push_back(plain_material(scene, m, around));
+  plain_ = {.query = trees_.query(),
+            .shapes = shapes_.data(),
+            .materials = materials_.data(),
+            .bodies = {bodies_.data(), bodies_.size()},
+            .surroundings = surroundings_.data(),
+            .shape_count = shapes_.size(),
+            .material_count = scene.materials.size(),
+            .surroundings_count = surroundings_.size()};
+}
+
+void PlainObjects::find_bodies(const Scene& scene) {
+  surroundings_.push_back({});
+  if (scene.bounds_bodies.empty()) return;
   for (const FrameStates<Material>& material : scene.materials) {
+    PlainBody& body = bodies_.emplace_back();
     const Material* const state = only_state(material, scene.frames());
-    constexpr PlainDiffuse kUnused{};  // no shape is made of it, or the scene would not be plain
-    materials_.push_back(state == nullptr ? kUnused : state->plain(*scene.palette).value_or(kUnused));
+    if (state == nullptr || !state->bounds_a_body()) continue;
+    body.is_one = true, body.rank = state->priority(), body.absorption = state->absorption(*scene.palette);
+    if (scene.nests) body.surroundings = surroundings_of(*state);
   }
-  plain_ = {trees_.query(), shapes_.data(), materials_.data(), shapes_.size(), materials_.size()};
+}
+
+int PlainObjects::surroundings_of(const Material& body) {
+  std::vector<float> by_nm;
+  for (int nm = kFirstNm; body.disperses() && nm <= kLastNm; ++nm)
+    by_nm.push_back(body.eta_at({.nm = static_cast<std::int16_t>(nm)}));
+  for (std::size_t i = 0; i < surroundings_.size(); ++i)
+    if (surroundings_[i].mean == body.eta() && by_nm_[i] == by_nm) return static_cast<int>(i);
+  const std::vector<float>& kept = by_nm_.emplace_back(std::move(by_nm));
+  surroundings_.push_back({body.eta(), kept.empty() ? nullptr : kept.data()});
+  return static_cast<int>(surroundings_.size()) - 1;
+}
+
+PlainMaterial PlainObjects::plain_material(const Scene& scene, std::size_t material, std::size_t around) const {
+  constexpr PlainDiffuse kUnused{};  // no shape is made of it, or the scene would not be plain
+  const Material* const state = only_state(scene.materials[material], scene.frames());
+  if (state == nullptr) return kUnused;
+  const bool may_be_there = around == 0 || may_lie_within(material, around);
+  return state->plain(*scene.palette, surroundings_[may_be_there ? around : 0]).value_or(kUnused);
+}
+
+/// Bodies make tables for what is around them, so it is worth a question.
+bool PlainObjects::may_lie_within(std::size_t material, std::size_t around) const {
+  const PlainBody& inner = bodies_[material];
+  const bool is_light = std::ranges::any_of(
+      shapes_, [&](const PlainPlacedShape& shape) { return shape.emits && shape.body == static_cast<int>(material); });
+  return inner.is_one && std::ranges::any_of(bodies_, [&](const PlainBody& outer) {
+           const bool is_there = inner.rank > outer.rank || (is_light && inner.rank != outer.rank);
+           return outer.is_one && outer.surroundings == static_cast<int>(around) && is_there;
+         });
 }
 
 }  // namespace dspm

@@ -2,13 +2,17 @@
 // scene has no plain form.
 #pragma once
 
+#include <cstddef>
 #include <deque>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "dspm/accel/plain_trees.h"
+#include "dspm/integrators/waves/plain_bodies.h"
 #include "dspm/integrators/waves/plain_scene.h"
+#include "dspm/materials/plain_material.h"
+#include "dspm/materials/refractive_index.h"
 #include "dspm/textures/plain_texture.h"
 #include "dspm/world/scene/scene.h"
 
@@ -26,10 +30,20 @@ class PlainObjects {
   const PlainScene& scene() const { return plain_; }
 
  private:
+  void find_bodies(const Scene& scene);
+  /// Returns what the body is to those that lie in it, a place among surroundings_.
+  int surroundings_of(const Material& body);
+  /// Returns the material as it is in these surroundings.
+  PlainMaterial plain_material(const Scene& scene, std::size_t material, std::size_t around) const;
+  bool may_lie_within(std::size_t material, std::size_t around) const;
+
   PlainTrees trees_;
   std::deque<PlainTexture<float>> alphas_;
   std::vector<PlainPlacedShape> shapes_;
-  std::vector<PlainMaterial> materials_;
+  std::vector<PlainMaterial> materials_;      // see PlainScene
+  std::vector<PlainBody> bodies_;             // likewise
+  std::vector<PlainIndex> surroundings_;      // likewise
+  std::vector<std::vector<float>> by_nm_{1};  // that they point to; the first is empty
   PlainScene plain_;
 };
 

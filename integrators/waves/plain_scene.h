@@ -11,13 +11,16 @@
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/transform.h"
 #include "dspm/base/math/vec.h"
+#include "dspm/integrators/waves/plain_bodies.h"
 #include "dspm/materials/plain_material.h"
+#include "dspm/materials/refractive_index.h"
 #include "dspm/shapes/cutout.h"
 #include "dspm/shapes/in_world.h"
 #include "dspm/shapes/mesh_view.h"
 #include "dspm/shapes/plain_shape.h"
 #include "dspm/shapes/surface_geometry.h"
 #include "dspm/textures/plain_texture.h"
+#include "dspm/world/scene/inside.h"
 
 namespace dspm {
 
@@ -30,6 +33,7 @@ struct PlainPlacedShape {
   bool caustics = true;  // see PlacedShape
   bool emits = false, catches_shadows = false;
   int material = 0;
+  int body = kNoBody;                          // see Vertex
   const PlainTexture<float>* alpha = nullptr;  // null: it has no holes
   std::uint64_t cutout_key = 0;                // see PlacedShape
 
@@ -66,18 +70,41 @@ struct PlainPlacedShape {
 struct PlainScene {
   PlainQuery query;
   const PlainPlacedShape* shapes = nullptr;
-  const PlainMaterial* materials = nullptr;
-  std::size_t shape_count = 0, material_count = 0;
+  const PlainMaterial* materials = nullptr;  // by surroundings, then by material, see material_within()
+  PlainBodies bodies;
+  const PlainIndex* surroundings = nullptr;  // the indices of refraction that are around bodies, the usual 1 first
+  std::size_t shape_count = 0, material_count = 0, surroundings_count = 0;
 
   /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     query.each_array(fn);
     fn(shapes, shape_count);
-    fn(materials, material_count);
+    fn(materials, material_count * surroundings_count);
+    bodies.each_array(fn);
+    fn(surroundings, surroundings_count);
   }
 
   constexpr const PlainPlacedShape& shape_of(const RayHit& hit) const { return shapes[hit.shape]; }
+  /// Returns the material as it is within that body; null: within none of another priority.
+  constexpr const PlainMaterial& material_within(int material, const PlainBody* around) const {
+    return materials[place_within(material, around)];
+  }
+  /// Returns the place among `materials` of what a path has met that has arrived in these bodies.
+  constexpr std::size_t place_of_material(const RayHit& hit, const Inside& arriving) const {
+    const PlainPlacedShape& shape = shape_of(hit);
+    return place_within(shape.material, bodies.around(shape.body, arriving));
+  }
+  /// Returns the index of refraction around it.
+  constexpr const PlainIndex& index_around(const RayHit& hit, const Inside& arriving) const {
+    return surroundings[place_of_material(hit, arriving) / material_count];
+  }
+
+ private:
+  constexpr std::size_t place_within(int material, const PlainBody* around) const {
+    const std::size_t first = around == nullptr ? 0 : static_cast<std::size_t>(around->surroundings) * material_count;
+    return first + static_cast<std::size_t>(material);
+  }
 };
 
 /// The query of a scene, with the holes of its shapes.

@@ -21,7 +21,7 @@ void for_each_tile(std::span<const HitPointTile> tiles, const Fn& fn) {
 /// Returns whether a device can make the Bsdf at a hit point anew. It does not average textures over what a path stands for.
 bool is_plain(const HitPoint& hit, const Scattering& at, const PlainScene& plain) {
   return hit.wavelength.nm == 0 && at.strip < 0 && !at.hit.missed() && at.ns == at.unbent_ns &&
-         !plain.materials[plain.shape_of(at.hit).material].averages();
+         !plain.materials[plain.place_of_material(at.hit, at.inside)].averages();
 }
 
 }  // namespace
@@ -58,7 +58,8 @@ FluxOfPoints gather_in_waves(WaveTracer& tracer, std::span<const HitPointTile> t
       *point++ = {hit.p, hit.ng, radius2_of(hit), hit.face, hit.frames, scattering};
     }
     GatherScattering* to = scatterings.data() + first_scattering[t];
-    for (const Scattering& at : tiles[t].scatterings) *to++ = {at.hit, at.wo, at.p_error, at.lobes, at.transmits};
+    for (const Scattering& at : tiles[t].scatterings)
+      *to++ = {at.hit, at.wo, at.p_error, at.lobes, at.transmits, at.inside};
   });
   std::vector<PlainPhotonGrid> of_frame;
   FluxOfPoints flux = tracer.gather(photons.plain(of_frame), points, scatterings);

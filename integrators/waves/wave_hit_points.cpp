@@ -19,10 +19,11 @@ namespace {
 /// What starts in one tile, and what waves leave there.
 class TileOfWaves {
  public:
-  TileOfWaves(const Scene& scene, const PlainScene& plain, const RenderSettings& render,
+  TileOfWaves(const Scene& scene, const PlainScene& plain, const CameraWave& wave, const RenderSettings& render,
               const HitPointSettings& settings, HitPointTile& tile)
       : scene_(scene),
         plain_(plain),
+        wave_(wave),
         render_(render),
         settings_(settings),
         tile_(tile),
@@ -61,7 +62,9 @@ class TileOfWaves {
                        .start = static_cast<std::uint32_t>(states_.size()),
                        .path = paths(),
                        .bounces = 0,
-                       .caught = path.caught});
+                       .caught = path.caught,
+                       .alone = path.wavelength.alone,
+                       .bodies = {path.inside, 0}});
     started_.push_back(path);
   }
 
@@ -71,9 +74,13 @@ class TileOfWaves {
     path.ray = state.ray, path.throughput = state.throughput, path.frames = state.frames;
     path.bounces = state.bounces, path.eta_scale = state.eta_scale, path.length = state.length;
     path.from = state.from, path.from_ng = state.from_ng, path.pdf_w = state.pdf_w, path.caught = state.caught;
+    path.wavelength.alone = state.alone, path.inside = state.bodies.inside;
     if (sight.kind == WaveSight::Kind::escape) return light_.meet_infinity(path, path.frames);
     Vertex vertex(scene_, path.ray, sight.at);
     vertex.point.wavelength = path.wavelength;
+    const PlainIndex& outside = plain_.index_around(sight.at.hit, path.inside);
+    vertex.point.outside_eta = outside.mean;
+    vertex.point.outside_dispersion = outside.at(path.wavelength) / outside.mean;
     if (sight.kind == WaveSight::Kind::emission) return light_.meet_surface(path, vertex);
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
       const HitPointLight::Surface surface{frames, &bsdf, sight.choice};
@@ -84,17 +91,20 @@ class TileOfWaves {
   void keep(const WaveHitPoint& hit, const CameraPath& started) {
     CameraPath path = started;
     path.throughput = hit.throughput, path.frames = hit.frames, path.bounces = hit.bounces;
-    path.length = hit.length, path.caught = hit.caught;
+    path.length = hit.length, path.caught = hit.caught, path.wavelength.alone = hit.alone;
+    path.inside = hit.inside;
     const HitPointWriter::EndSurface surface{hit.point, hit.point.ns, hit.wo, hit.hit};
     std::vector<HitPoint>& kept = hit.glossy ? tile_.glossy : tile_.hit_points;
     if (hit.constant) return out_.add_hit_point(kept, path, surface, nullptr, hit.lobes);
     BsdfSlot slot;
-    const PlainMaterial& material = plain_.materials[plain_.shape_of(hit.hit).material];
-    out_.add_hit_point(kept, path, surface, &material.with_bsdf(hit.point, IntoSlot{slot}), hit.lobes);
+    const PlainMaterial& material = plain_.materials[plain_.place_of_material(hit.hit, hit.inside)];
+    out_.add_hit_point(kept, path, surface,
+                       &material.with_bsdf(hit.point, wave_.wavelength.of_path(hit.alone), IntoSlot{slot}), hit.lobes);
   }
 
   const Scene& scene_;
   const PlainScene& plain_;
+  const CameraWave& wave_;
   const RenderSettings& render_;
   const HitPointSettings& settings_;
   HitPointTile& tile_;
@@ -123,12 +133,13 @@ std::string why_not_in_waves(const Scene& scene, const HitPointSettings& setting
 std::vector<HitPointTile> trace_hit_points_in_waves(const Scene& scene, const PlainScene& plain, WaveTracer& tracer,
                                                     const RenderSettings& render, const HitPointSettings& settings,
                                                     std::uint64_t iteration, std::vector<HitPointTile> reuse) {
-  const CameraWave wave{settings.max_depth, settings.least_alpha, settings.keep_bsdf,
-                        may_hide_photons(scene, settings)};
+  const HuedWavelength wavelength({.nm = scene.nm_of(render.seed, iteration), .weighs = true});
+  const CameraWave wave{settings.max_depth, settings.least_alpha, settings.keep_bsdf, may_hide_photons(scene, settings),
+                        wavelength};
   reuse.resize(hit_point_tile_count(render.crop));
   const auto make = [&](std::size_t t) {
     reuse[t].start(*scene.palette);
-    auto tile = std::make_unique<TileOfWaves>(scene, plain, render, settings, reuse[t]);
+    auto tile = std::make_unique<TileOfWaves>(scene, plain, wave, render, settings, reuse[t]);
     for (const auto& [x, y] : pixels_of_hit_point_tile(render, settings, t)) tile->start(x, y, iteration);
     return tile;
   };

@@ -58,19 +58,20 @@ class TraceOfWaves {
     const PhotonPath& path = started.path;
     const bool of_medium = started.from.light.glow.medium != kNoMedium;
     const bool told = settings_.rays_tell && is_told_by_a_ray(scene_, started.from.light);
-    states_.push_back(
-        {.ray = path.ray,
-         .throughput = path.throughput,
-         .frames = path.frames,
-         .random = path.random,
-         .must_reach = started.from.must_reach,
-         .start = static_cast<std::uint32_t>(states_.size()),
-         .path = paths(),
-         .bounces = 0,
-         .kind = kDirectPhotons,
-         .hidden = path.hidden,
-         .caustics = path.caustics,
-         .wants_direct = (settings_.kinds & (of_medium ? kCausticPhotons : kDirectPhotons)) != 0 && !told});
+    states_.push_back({.ray = path.ray,
+                       .throughput = path.throughput,
+                       .frames = path.frames,
+                       .random = path.random,
+                       .must_reach = started.from.must_reach,
+                       .start = static_cast<std::uint32_t>(states_.size()),
+                       .path = paths(),
+                       .bounces = 0,
+                       .kind = kDirectPhotons,
+                       .hidden = path.hidden,
+                       .caustics = path.caustics,
+                       .alone = false,
+                       .wants_direct = (settings_.kinds & (of_medium ? kCausticPhotons : kDirectPhotons)) != 0 && !told,
+                       .bodies = {path.inside, 0}});
     from_.push_back(started.from);
   }
 
@@ -79,7 +80,8 @@ class TraceOfWaves {
     if (photon.kind == kDirectPhotons && settings_.direct != nullptr)
       flux *= settings_.direct->weight_of_photon(from.light, from.state, from.start, {photon.p, photon.ng});
     (photon.hidden ? trace_.hidden : trace_.photons)
-        .push_back({photon.p, photon.face, photon.wi, flux, photon.frames, 0, from.index, 0});
+        .push_back({photon.p, photon.face, photon.wi, flux, photon.frames, 0, from.index,
+                    photon.alone ? trace_.only_nm : std::int16_t{0}});
     trace_.stored.add(photon.frames.count());
   }
 
@@ -126,10 +128,12 @@ std::vector<PhotonTrace> trace_photons_in_waves(const Scene& scene, WaveTracer& 
                                                 std::uint64_t iteration, std::int64_t first, std::int64_t end,
                                                 std::vector<PhotonTrace> reuse) {
   const PhotonStarts starts(scene, settings.share_paths);
-  const PhotonWave wave{settings.max_depth, settings.least_alpha, settings.kinds};
+  const Wavelength wavelength{.nm = scene.nm_of(settings.seed, iteration)};
+  const PhotonWave wave{settings.max_depth, settings.least_alpha, settings.kinds, HuedWavelength(wavelength)};
   const std::int64_t each = settings.paths_per_trace;
   reuse.resize(static_cast<std::size_t>(chunk_count(end - first, each)));
   const auto make = [&](std::size_t t) {
+    reuse[t].only_nm = wavelength.nm;
     auto trace = std::make_unique<TraceOfWaves>(scene, settings, starts, reuse[t]);
     const std::int64_t begin = first + static_cast<std::int64_t>(t) * each;
     trace->start(begin, std::min(begin + each, end), iteration);

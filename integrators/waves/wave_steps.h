@@ -74,7 +74,8 @@ struct PhotonSteps : WaveStepOut<PhotonState> {
     }
     constexpr void store(const WavePhoton& photon) const { to.photons.append(photon); }
     constexpr void push(const PhotonState& path) const { to.next.append(path); }
-    constexpr void end(const PhotonState& path, FrameSet frames, PhotonEnd end) const {
+    constexpr void end(const PhotonState& path, PhotonEnd end) const {
+      const FrameSet frames = path.frames;
       const std::int64_t flux = to.unit.of(sum(path.throughput));
       if (end == PhotonEnd::too_deep) add(frames, WaveSums::kTooDeep, flux);
       add(frames,
@@ -83,16 +84,19 @@ struct PhotonSteps : WaveStepOut<PhotonState> {
                                        : WaveSums::kTerminated,
           flux);
     }
+    constexpr void dim(FrameSet frames, const Spectrum& before, const Spectrum& after) const {
+      add(frames, WaveSums::kAbsorbed, to.unit.of(sum(before) - sum(after)));
+    }
     constexpr void scatter(FrameSet frames, const Spectrum& before, const Spectrum& after,
                            const Spectrum& surviving) const {
       add(frames, WaveSums::kAbsorbed, to.unit.of(sum(before) - sum(after)));
       add(frames, WaveSums::kRoulette, to.unit.of(sum(after) - sum(surviving)));
     }
-    constexpr void reject_shape(const PhotonState& path, int shape, FrameSet frames) const {
-      to.rejections.append({path.start, path.bounces, true, shape, frames});
+    constexpr void reject_shape(const PhotonState& path, int shape) const {
+      to.rejections.append({path.start, path.bounces, true, shape, path.frames});
     }
-    constexpr void reject_material(const PhotonState& path, int material, FrameSet frames) const {
-      to.rejections.append({path.start, path.bounces, false, material, frames});
+    constexpr void reject_material(const PhotonState& path, int material) const {
+      to.rejections.append({path.start, path.bounces, false, material, path.frames});
     }
 
     constexpr void add(FrameSet frames, WaveSums::Entry entry, std::int64_t flux) const {

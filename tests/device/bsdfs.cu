@@ -5,6 +5,7 @@
 #include <concepts>
 
 #include "dspm/base/colour/spectrum.h"
+#include "dspm/base/colour/wavelength.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/materials/plain_bsdf.h"
 #include "dspm/materials/plain_material.h"
@@ -14,6 +15,7 @@ namespace dspm {
 
 struct Input {
   SurfaceGeometry point;
+  HuedWavelength wavelength;
   PlainMaterial material;
   Vec3 wo, u;
   Transport transport;
@@ -48,5 +50,5 @@ constexpr Output asked(const T& bsdf, const Input& in) {
 extern "C" __global__ void bsdfs(const dspm::Input* input, dspm::Output* output) {
   using namespace dspm;
   const Input& in = *input;
-  *output = in.material.with_bsdf(in.point, [&](const auto& bsdf) { return asked(bsdf, in); });
+  *output = in.material.with_bsdf(in.point, in.wavelength, [&](const auto& bsdf) { return asked(bsdf, in); });
 }

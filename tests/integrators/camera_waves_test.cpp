@@ -1,6 +1,7 @@
 // Camera paths traced in waves leave what those traced one by one leave, bit for bit: hit points with their Bsdfs, and the
 // light that they see, for each pixel in each frame in the same order.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -37,7 +38,7 @@ const PlainRandomScene::View kViews[] = {
 std::string in_words(const Scattering& s) {
   std::string text =
       fmt::format("{} {} {} {} {} {} {} {} {} {}", digits(s.wo), digits(s.p_error), s.lobes, s.transmits, s.material,
-                  s.inside.is_empty(), s.inside.medium, digits(s.ns), digits(s.unbent_ns), s.strip);
+                  fmt::join(s.inside.bodies(), ","), s.inside.medium, digits(s.ns), digits(s.unbent_ns), s.strip);
   for (const float z : {-0.8f, 0.1f, 0.6f})
     for (const float x : {-0.6f, 0.4f}) {
       const Vec3 wi = normalize(Vec3{x, 0.3f, z});
@@ -110,11 +111,15 @@ HitPointSettings settings_of(unsigned seed) {
 
 struct Found {
   std::size_t hit_points = 0, glossy = 0, scatterings = 0, seen = 0, caught = 0, rays = 0, parted = 0;
+  std::size_t of_one_wavelength = 0;
 
   void add(const HitPointTile& tile) {
     hit_points += tile.hit_points.size(), glossy += tile.glossy.size(), scatterings += tile.scatterings.size();
     seen += tile.seen.size(), rays += tile.paths.shadow_rays, parted += tile.paths.dynamic_paths;
-    for (const HitPoint& hit : tile.hit_points) caught += hit.caught;
+    for (const HitPoint& hit : tile.hit_points) {
+      caught += hit.caught;
+      of_one_wavelength += hit.wavelength.alone;
+    }
   }
 };
 
@@ -143,6 +148,7 @@ TEST(CameraWaves, LeaveWhatPathsOneByOneLeave) {
   EXPECT_GT(found.caught, 1000u);
   EXPECT_GT(found.rays, 1000u);
   EXPECT_GT(found.parted, 10'000u);
+  EXPECT_GT(found.of_one_wavelength, 300u);
 }
 
 std::vector<Image> images(const std::string& text, const char* device, bool otherwise) {

@@ -207,6 +207,8 @@ ObjectBegin "bush"
          {R"("diffuse" "texture reflectance" "worn")",
           R"("conductor" "texture reflectance" "board" "texture roughness" "holes")",
           R"("conductor" "texture eta" "leaf" "texture k" "worn" "float uroughness" .4 "texture vroughness" "peel")",
+          R"("dielectric" "string glass" "SF11" "integer priority" 1)",
+          R"("dielectric" "string glass" "water" "rgb attenuationcolor" [.9 .5 .2])",
           R"("dielectric" "float roughness" .2)", R"("dielectric" "texture roughness" "holes")",
           R"("dielectric" "float uroughness" .3 "float vroughness" .1)", R"("thindielectric" "texture tint" "faded")",
           R"("diffusetransmission" "texture reflectance" "leaf" "texture transmittance" "faded")",
@@ -270,7 +272,8 @@ TEST(PlainCopy, PointsIntoItsMemoryOnly) {
         std::type_index(typeid(AlbedoTable)), std::type_index(typeid(BrushedAlbedo)),
         std::type_index(typeid(BoundaryTables)), std::type_index(typeid(BrushedGlass)),
         std::type_index(typeid(PlainTexture<Rgb>)), std::type_index(typeid(PlainTexture<float>)),
-        std::type_index(typeid(Rgb)), std::type_index(typeid(float))})
+        std::type_index(typeid(Rgb)), std::type_index(typeid(float)), std::type_index(typeid(PlainBody)),
+        std::type_index(typeid(PlainIndex))})
     EXPECT_TRUE(types.contains(type)) << type.name();
   EXPECT_GT(of_frames, 0);
 }

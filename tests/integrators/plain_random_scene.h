@@ -46,9 +46,10 @@ class PlainRandomScene {
       s += "AttributeBegin\n" + material(whole(0, 3) > 1 ? 0 : whole(0, kinds - 1)) +
            fmt::format("Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point3 P\" [{}] {}\nAttributeEnd\n",
                        wall, view.walls);
-    for (int i = 0; i < view.lights; ++i) s += light(whole(0, 4));
+    for (int i = 0; i < view.lights; ++i) s += light(whole(0, 5));
     for (int i = 0; i < 3; ++i)
       s += "AttributeBegin\n" + place() + "\n" + material(whole(0, kinds - 1)) + shape(false) + "AttributeEnd\n";
+    s += bodies();
     for (int i = 0; i < 2; ++i)
       s += fmt::format("DynamicBegin \"thing{}\" {}\nKeyframe 1 {} Keyframe {} {} KeyframeEnd\n{}DynamicEnd\n", i,
                        material(whole(0, kinds - 1)), place(), whole(2, kFrames), place(), shape(true));
@@ -64,16 +65,16 @@ class PlainRandomScene {
                        real(0, 360), real(-1, 1), real(-1, 1), real(0.5f, 1), real(0.5f, 1),
                        whole(0, 4) == 0 ? -1.f : real(0.5f, 1));
   }
-  static constexpr int kConstant = 10, kAll = 16;  // kinds of materials: without textures that vary, and all
+  static constexpr int kConstant = 11, kAll = 17;  // kinds of materials: without textures that vary, and all
   std::string material(int kind) {
     switch (kind) {
       case 0:
         return fmt::format("Material \"diffuse\" \"rgb reflectance\" [{} {} {}]\n", real(0, 1), real(0, 1), real(0, 1));
-      case 1: return fmt::format("Material \"dielectric\" \"float eta\" {}\n", real(1.1f, 1.8f));
+      case 1: return fmt::format("Material \"dielectric\" \"float eta\" {} {}\n", real(1.1f, 1.8f), body());
       case 2:
         return fmt::format(
-            "Material \"dielectric\" \"float eta\" 1.5 \"float uroughness\" {} \"float vroughness\" {}\n",
-            real(0.01f, 0.5f), real(0.01f, 0.5f));
+            "Material \"dielectric\" \"float eta\" 1.5 \"float uroughness\" {} \"float vroughness\" {} {}\n",
+            real(0.01f, 0.5f), real(0.01f, 0.5f), body());
       case 3:
         return fmt::format("Material \"conductor\" \"float roughness\" {}\n",
                            whole(0, 1) == 0 ? 0.f : real(0.01f, 0.4f));
@@ -87,12 +88,16 @@ class PlainRandomScene {
         return fmt::format("Material \"diffusetransmission\" \"rgb transmittance\" [{} {} {}]\n", real(0, 1),
                            real(0, 1), real(0, 1));
       case 9: return mix(fmt::format("\"float amount\" {}", real(0, 1)));
-      case 10: return "Material \"conductor\" \"texture reflectance\" \"picture\" \"texture roughness\" \"grain\"\n";
-      case 11: return "Material \"diffuse\" \"texture reflectance\" \"tiles\"\n";
-      case 12:
+      case 10:
+        return fmt::format("Material \"dielectric\" {} \"float roughness\" {} {}\n",
+                           whole(0, 1) == 0 ? "\"string glass\" \"SF11\"" : "\"float eta\" 1.5 \"float abbe\" 20",
+                           whole(0, 2) == 0 ? 0.2f : 0.f, body());
+      case 11: return "Material \"conductor\" \"texture reflectance\" \"picture\" \"texture roughness\" \"grain\"\n";
+      case 12: return "Material \"diffuse\" \"texture reflectance\" \"tiles\"\n";
+      case 13:
         return "Material \"coateddiffuse\" \"texture reflectance\" \"picture\" \"texture roughness\" \"grain\"\n";
-      case 13: return "Material \"diffusetransmission\" \"texture reflectance\" \"tiles\" \"float scale\" .5\n";
-      case 14: return mix("\"texture amount\" \"grain\"");
+      case 14: return "Material \"diffusetransmission\" \"texture reflectance\" \"tiles\" \"float scale\" .5\n";
+      case 15: return mix("\"texture amount\" \"grain\"");
       default: return "Material \"diffuse\" \"texture reflectance\" \"picture\"\n";
     }
   }
@@ -107,6 +112,23 @@ class PlainRandomScene {
     const int first = whole(0, 2);
     return fmt::format("Material \"mix\" \"string materials\" [\"{}\" \"{}\"] {}\n", kParts[first],
                        kParts[(first + 1) % 3], amount);
+  }
+  /// What glass absorbs, and its priority, if it has any.
+  std::string body() {
+    std::string s;
+    if (whole(0, 2) > 0)
+      s += fmt::format("\"rgb attenuationcolor\" [{} {} {}] ", real(0.1f, 1), real(0.1f, 1), real(0.1f, 1));
+    if (whole(0, 1) > 0) s += fmt::format("\"integer priority\" {} ", whole(-1, 2));
+    return s;
+  }
+  /// A body, perhaps with another in it, or one around everything.
+  std::string bodies() {
+    static constexpr int kGlass[] = {1, 2, 10};
+    const auto glass = [&] { return material(kGlass[whole(0, 2)]); };
+    if (whole(0, 5) == 0) return "AttributeBegin " + glass() + "Shape \"sphere\" \"float radius\" 7 AttributeEnd\n";
+    std::string s = "AttributeBegin " + place() + "\n" + glass() + "Shape \"sphere\" \"float radius\" .7\n";
+    if (whole(0, 2) > 0) s += glass() + "Translate .2 .1 0 Shape \"sphere\" \"float radius\" .6\n";
+    return s + "AttributeEnd\n";
   }
   std::string shape(bool may_change) {
     const std::string solid = solid_shape();
@@ -146,6 +168,9 @@ class PlainRandomScene {
   }
   std::string light(int kind) {
     switch (kind) {
+      case 5:
+        return "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [6 7 8] " + place() + " " + material(whole(1, 2)) +
+               "Shape \"sphere\" \"float radius\" .3 AttributeEnd\n";
       case 0:
         return "AttributeBegin Translate 0 1.6 0 Rotate 90 1 0 0 AreaLightSource \"diffuse\" \"rgb L\" [9 8 7] \"bool "
                "twosided\" true Shape \"disk\" \"float radius\" .5 " +

@@ -27,8 +27,8 @@ constexpr int kFrames = PlainRandomScene::kFrames;
 
 /// All of a photon but its frames.
 std::string in_words(const Photon& photon) {
-  return fmt::format("{} {} {} {} {} {}", photon.face.shape(), photon.face.is_inner(), photon.light, digits(photon.p),
-                     digits(photon.wi), digits(photon.flux));
+  return fmt::format("{} {} {} {} {} {} {}", photon.face.shape(), photon.face.is_inner(), photon.light,
+                     digits(photon.p), digits(photon.wi), digits(photon.flux), photon.only_nm);
 }
 
 /// What a frame has of a list of photons, in their order.
@@ -85,11 +85,13 @@ TEST(Waves, KnowTheSurfacesOfShapesAndTheirHoles) {
 }
 
 TEST(Waves, LeaveThePhotonsOfPathsOneByOne) {
-  std::size_t all = 0, hidden = 0, parted = 0;
+  std::size_t all = 0, hidden = 0, parted = 0, of_one_wavelength = 0;
+  int nested = 0, within = 0;  // scenes with bodies in one another, and within one
   for (unsigned seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
     TestScene test(PlainRandomScene(seed).text("\"dsppm\""));
     const auto scene = test.scene(test.all_frames());
+    nested += scene->nests, within += !scene->around_camera.empty();
     PhotonSettings settings;
     settings.hidden = true, settings.seed = seed, settings.max_depth = 6, settings.paths_per_trace = 512;
     if (seed % 3 == 1) settings.kinds = kCausticPhotons | kDiffusePhotons;
@@ -116,12 +118,19 @@ TEST(Waves, LeaveThePhotonsOfPathsOneByOne) {
                                  &EnergyBalance::terminated, &EnergyBalance::roulette, &EnergyBalance::too_deep})
           EXPECT_NEAR(a.energy[f].*entry, b.energy[f].*entry, 1e-9 * a.energy[f].emitted);
       all += b.photons_stored.done, parted += b.photon.dynamic_paths;
-      for (const PhotonTrace& trace : waves) hidden += trace.hidden.size();
+      for (const PhotonTrace& trace : waves) {
+        hidden += trace.hidden.size();
+        of_one_wavelength += static_cast<std::size_t>(
+            std::ranges::count_if(trace.photons, [](const Photon& photon) { return photon.only_nm != 0; }));
+      }
     }
   }
   EXPECT_GT(all, 100'000u);
   EXPECT_GT(hidden, 100u);
   EXPECT_GT(parted, 20'000u);
+  EXPECT_GT(of_one_wavelength, 10'000u);
+  EXPECT_GT(nested, 20);
+  EXPECT_GT(within, 5);
 }
 
 /// Traces photons on a machine with so many bytes of memory; returns why it was left.
@@ -168,6 +177,23 @@ TEST(Waves, LeaveImagesAsTheyAre) {
     }
 }
 
+TEST(Waves, GatherOnRoughGlassInWater) {
+  const std::string text = R"(
+    Integrator "dsppm" "integer photons" 2000
+    LookAt 0 0 -4  0 0 0  0 1 0
+    Camera "perspective" "float fov" 40
+    Film "rgb" "integer xresolution" 16 "integer yresolution" 12
+    WorldBegin
+    LightSource "point" "rgb I" [30 30 30] "point3 from" [2 3 -3]
+    Material "diffuse"
+    Shape "sphere" "float radius" 10
+    Material "dielectric" "float eta" 1.33 "rgb attenuationcolor" [.7 .8 .9] "integer priority" 1
+    Shape "sphere" "float radius" 1.2
+    Material "dielectric" "float eta" 1.6 "float roughness" .5 "integer priority" 2
+    Shape "sphere" "float radius" .9)";
+  EXPECT_EQ(images(text, "cpu").front().pixels, images(text, "waves").front().pixels);
+}
+
 std::string why_refused(const std::string& integrator, const std::string& more) {
   try {
     images(PlainRandomScene(1).text(integrator) + more, "waves");
@@ -192,6 +218,7 @@ TEST(Waves, SayWhatHasNoPlainForm) {
   refuses("Texture \"t\" \"float\" \"vertexcolor\" Shape \"sphere\" \"texture alpha\" \"t\"\n",
           "has holes by a texture that has no plain form");
   refuses("Shape \"curve\" \"point3 P\" [0 0 0 1 0 0 1 1 0 0 1 0]\n", "none of the plain kinds");
+  refuses("Material \"subsurface\" Shape \"sphere\"\n", "light is scattered inside");
   refuses("LightSource \"point\" \"rgb I@1\" [1 1 1] \"rgb I@3\" [2 1 1]\n", "lights differ between frames");
   refuses("MakeNamedMedium \"fog\" \"string type\" \"homogeneous\" MediumInterface \"fog\" \"\" Shape \"sphere\"\n",
           "there are media");

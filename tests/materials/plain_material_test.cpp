@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "dspm/materials/mix.h"
+#include "dspm/materials/refractive_index.h"
 #include "dspm/materials/relief.h"
 #include "tests/materials/materials.h"
 #include "tests/textures/make.h"
@@ -63,7 +64,7 @@ Bits answers(const AnyBsdf& bsdf, int index) {
   return bits;
 }
 
-/// A point whose shading normal leans.
+/// A point whose shading normal leans, and which paths of some wavelength have met.
 SurfacePoint random_point(int index, const Palette& palette) {
   const PathRandom random = random_numbers(index);
   const Vec3 ng = any_direction(random, 10), other = any_direction(random, 11);
@@ -72,17 +73,23 @@ SurfacePoint random_point(int index, const Palette& palette) {
   point.ng = ng, point.ns = index % 4 == 0 ? ng : normalize(ng + other * 0.8f);
   point.dpdu = any_direction(random, 13), point.uv = random.pair(14, 0);
   point.palette = &palette;
+  if (index % 3 > 0) point.wavelength = {.nm = 360, .alone = index % 2 == 0, .weighs = index % 5 < 3};
+  if (index % 3 > 0) point.wavelength.nm += static_cast<std::int16_t>(470 * random.number(15, 0));
+  if (!palette.is_rgb()) point.wavelength.nm = static_cast<std::int16_t>(-point.wavelength.nm);
   return point;
 }
 
-void expect_same_answers(const Material& material, const Palette& palette, const std::string& name) {
-  const std::optional<PlainMaterial> plain = material.plain(palette);
+void expect_same_answers(const Material& material, const Palette& palette, const std::string& name,
+                         const PlainIndex& outside = {}) {
+  const std::optional<PlainMaterial> plain = material.plain(palette, outside);
   ASSERT_TRUE(plain) << name;
   for (int i = 0; i < 200; ++i) {
-    const SurfacePoint point = random_point(i, palette);
+    SurfacePoint point = random_point(i, palette);
+    point.outside_eta = outside.mean, point.outside_dispersion = outside.at(point.wavelength) / outside.mean;
     BsdfSlot slot;
     const Bits expected = answers(material.bsdf(point, slot), i);
-    ASSERT_TRUE(plain->with_bsdf(point, [&](const auto& bsdf) { return answers(bsdf, i); }) == expected)
+    const HuedWavelength wavelength(point.wavelength);
+    ASSERT_TRUE(plain->with_bsdf(point, wavelength, [&](const auto& bsdf) { return answers(bsdf, i); }) == expected)
         << name << ", point " << i << (palette.is_rgb() ? "" : ", spectral");
   }
 }
@@ -156,9 +163,12 @@ TEST(PlainMaterial, Dielectric) {
     for (std::vector<Param> params : roughnesses(draw)) {
       params.push_back(number("eta", etas[i]));
       expect_same_answers(*make("dielectric", params), "dielectric");
+      params.push_back(number("abbe", 20));
+      expect_same_answers(*make("dielectric", params), "dielectric that disperses");
     }
   }
   expect_same_answers(*make("dielectric", {number("eta", 1), alpha(0.3f)}), "dielectric that is not there");
+  expect_same_answers(*make("dielectric", {text("glass", "SF11")}), "flint glass");
 }
 
 TEST(PlainMaterial, CoatedDiffuse) {
@@ -316,10 +326,24 @@ TEST(PlainMaterial, NotOfTexturesThatVary) {
   }
 }
 
-TEST(PlainMaterial, NotOfBodiesThatDoSomethingToLight) {
-  EXPECT_FALSE(plain_of(*make("dielectric", {rgb("attenuationcolor", {1, 0.9f, 1})})));
-  EXPECT_FALSE(plain_of(*make("dielectric", {number("abbe", 40)})));
-  EXPECT_FALSE(plain_of(*make("dielectric", {text("glass", "BK7")})));
+TEST(PlainMaterial, OfABodyInAnother) {
+  const RefractiveIndex water = RefractiveIndex::of_abbe(1.35f, 30);
+  for (const std::vector<Param>& params : {std::vector<Param>{},
+                                           {number("roughness", 0.3f)},
+                                           {number("uroughness", 0.3f), number("vroughness", 0.1f)},
+                                           {text("glass", "SF11")},
+                                           {number("eta", 1.35f), number("roughness", 0.3f)}})
+    for (const PlainIndex& outside : {PlainIndex{1.35f}, water.plain()}) {
+      const auto glass = make("dielectric", params);
+      glass->set_priority(2);
+      expect_same_answers(*glass, Palette::rgb(), "glass in water", outside);
+      expect_same_answers(*glass, *Palette::of_iteration(3, 5), "glass in water", outside);
+    }
+}
+
+TEST(PlainMaterial, NotOfBodiesThatScatter) {
+  EXPECT_TRUE(plain_of(*make("dielectric", {rgb("attenuationcolor", {1, 0.9f, 1})})));
+  EXPECT_FALSE(plain_of(*make("subsurface", {})));
 }
 
 class Upright final : public Relief {
@@ -327,13 +351,11 @@ class Upright final : public Relief {
   Vec3 normal(const SurfacePoint&, const PlacedShape&, int, Vec2) const override { return {0, 0, 1}; }
 };
 
-TEST(PlainMaterial, NotWithReliefOrPriority) {
+TEST(PlainMaterial, NotWithRelief) {
   for (const std::string_view type : kPlainPlugins) {
-    const auto bumpy = make(type, {}), first = make(type, {});
+    const auto bumpy = make(type, {});
     bumpy->set_relief(std::make_shared<Upright>());
     EXPECT_FALSE(plain_of(*bumpy)) << type;
-    first->set_priority(1);
-    EXPECT_FALSE(plain_of(*first)) << type;
   }
 }
 

@@ -20,24 +20,24 @@ class Inside {
   int medium = kNoMedium;  // into Scene::media
 
   /// Returns whether it lies in no body.
-  bool is_empty() const { return count_ == 0; }
-  std::span<const int> bodies() const { return {bodies_.data(), static_cast<std::size_t>(count_)}; }
-  bool contains(int body) const { return std::find(begin(), end(), body) != end(); }
+  constexpr bool is_empty() const { return count_ == 0; }
+  constexpr std::span<const int> bodies() const { return {bodies_.data(), static_cast<std::size_t>(count_)}; }
+  constexpr bool contains(int body) const { return std::find(begin(), end(), body) != end(); }
 
-  void enter(int body) {
+  constexpr void enter(int body) {
     leave(body);
     if (count_ == kMost) leave(bodies_[0]);
     bodies_[static_cast<std::size_t>(count_++)] = body;
   }
-  void leave(int body) {
+  constexpr void leave(int body) {
     leave_if([&](int each) { return each == body; });
   }
   template <class Predicate>
-  void leave_if(Predicate&& predicate) {
+  constexpr void leave_if(Predicate&& predicate) {
     count_ = static_cast<int>(std::remove_if(begin(), end(), predicate) - begin());
   }
 
-  friend bool operator==(const Inside& a, const Inside& b) {
+  friend constexpr bool operator==(const Inside& a, const Inside& b) {
     return a.medium == b.medium && std::equal(a.begin(), a.end(), b.begin(), b.end());
   }
   friend auto operator<=>(const Inside& a, const Inside& b) {
@@ -46,10 +46,10 @@ class Inside {
   }
 
  private:
-  int* begin() { return bodies_.data(); }
-  int* end() { return bodies_.data() + count_; }
-  const int* begin() const { return bodies_.data(); }
-  const int* end() const { return bodies_.data() + count_; }
+  constexpr int* begin() { return bodies_.data(); }
+  constexpr int* end() { return bodies_.data() + count_; }
+  constexpr const int* begin() const { return bodies_.data(); }
+  constexpr const int* end() const { return bodies_.data() + count_; }
 
   std::array<int, kMost> bodies_{};
   int count_ = 0;
