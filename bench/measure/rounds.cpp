@@ -8,7 +8,7 @@ namespace {
 template <class Value>
 StepSeconds median_of_each(const Rounds& rounds, Value&& value) {
   StepSeconds result{};
-  for (std::size_t s = 0; s < kSteps.size(); ++s) {
+  for (std::size_t s = 0; s < kStepNames.size(); ++s) {
     std::vector<double> values;
     for (std::size_t round = 0; round < rounds.size(); ++round) values.push_back(value(round, s));
     result[s] = median(values);
@@ -35,8 +35,8 @@ StepSeconds timed_iteration(const Run& run, int iteration) {
   StepSeconds seconds{};
   for (std::size_t i = 0; i < after.steps.size(); ++i) {
     const double taken = after.steps[i].seconds - before.steps[i].seconds;
-    for (std::size_t s = 0; s + 1 < kSteps.size(); ++s)
-      if (after.steps[i].name == kSteps[s]) seconds[s] += taken;
+    for (std::size_t s = 0; s + 1 < kStepNames.size(); ++s)
+      if (after.steps[i].name == kStepNames[s]) seconds[s] += taken;
     seconds.back() += taken;
   }
   return seconds;

@@ -10,8 +10,8 @@
 namespace dspm {
 
 /// The steps of an iteration, and last their sum.
-inline constexpr std::array<const char*, 5> kSteps = {"hit points", "photons", "photon map", "statistics", "all"};
-using StepSeconds = std::array<double, kSteps.size()>;
+inline constexpr std::array<const char*, 5> kStepNames = {"hit points", "photons", "photon map", "statistics", "all"};
+using StepSeconds = std::array<double, kStepNames.size()>;
 /// One iteration per round.
 using Rounds = std::vector<StepSeconds>;
 

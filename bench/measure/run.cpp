@@ -60,9 +60,9 @@ LoadedScene load(const std::filesystem::path& scene, const std::vector<std::stri
   return load(scene, choices);
 }
 
-LoadedScene load_sibenik_horse() {
-  return load(std::filesystem::path(DSPM_SOURCE_DIR) / "bench/sibenik_horse.dsc",
-              {"data=" + foreign("data/sibenik").parent_path().string()});
+LoadedScene load_sibenik_horse(std::vector<std::string> defines) {
+  defines.push_back("data=" + foreign("data/sibenik").parent_path().string());
+  return load(std::filesystem::path(DSPM_SOURCE_DIR) / "bench/sibenik_horse.dsc", defines);
 }
 
 std::unique_ptr<Integrator> start(Job job, const char* integrator, const Scene& scene) {

@@ -31,7 +31,7 @@ LoadedScene load(const std::filesystem::path& scene, const Choices& choices,
 /// With values for names in the scene's text, name=value.
 LoadedScene load(const std::filesystem::path& scene, const std::vector<std::string>& defines = {});
 /// The paper's first scene with its original models.
-LoadedScene load_sibenik_horse();
+LoadedScene load_sibenik_horse(std::vector<std::string> defines = {});
 
 struct Run {
   std::unique_ptr<Scene> scene;

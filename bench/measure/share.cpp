@@ -30,8 +30,8 @@ Share measure_share(const LoadedScene& loaded, const std::vector<FileFrame>& fra
 std::string table_of(const Share& share) {
   Table table({"step", fmt::format("{} together, s", share.frames), "of all", "one, dsppm, s", "ratio", "one, sppm, s",
                "ratio", "counted"});
-  for (std::size_t s = 0; s < kSteps.size(); ++s)
-    table.row({kSteps[s], seconds_cell(share.together[s]),
+  for (std::size_t s = 0; s < kStepNames.size(); ++s)
+    table.row({kStepNames[s], seconds_cell(share.together[s]),
                fmt::format("{:.0f}%", 100 * share.together[s] / share.together.back()), seconds_cell(share.dsppm[s]),
                ratio_cell(share.over_dsppm[s]), seconds_cell(share.sppm[s]), ratio_cell(share.over_sppm[s]),
                ratio_cell(share.counted[s])});

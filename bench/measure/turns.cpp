@@ -16,7 +16,7 @@ Rounds for_all(Rounds means, std::size_t frames) {
 /// The total's speedup if each step reached its factor.
 double factor_of_all(const StepSeconds& separate, const StepSeconds& factors) {
   double together = 0;
-  for (std::size_t s = 0; s + 1 < kSteps.size(); ++s) together += separate[s] / factors[s];
+  for (std::size_t s = 0; s + 1 < kStepNames.size(); ++s) together += separate[s] / factors[s];
   return separate.back() / together;
 }
 
@@ -52,8 +52,8 @@ std::string table_of(const InTurns& c, const wg12::Speedups* paper) {
                                    "speedup", "sharing factor", "reached"};
   if (paper != nullptr) head.push_back("WG12");
   Table table(head);
-  for (std::size_t s = 0; s < kSteps.size(); ++s) {
-    std::vector<std::string> cells = {kSteps[s],
+  for (std::size_t s = 0; s < kStepNames.size(); ++s) {
+    std::vector<std::string> cells = {kStepNames[s],
                                       seconds_cell(c.together[s]),
                                       seconds_cell(c.separate[s]),
                                       ratio_cell(c.speedups[s]),

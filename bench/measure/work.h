@@ -6,7 +6,7 @@
 namespace dspm {
 
 /// By step: path segments, path segments, photons stored; gathers, distance tests and photons found.
-using StepWork = std::array<std::vector<double>, kSteps.size() - 1>;
+using StepWork = std::array<std::vector<double>, kStepNames.size() - 1>;
 
 /// Of the whole run so far.
 StepWork work_of(const Integrator& integrator);

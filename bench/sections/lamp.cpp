@@ -49,7 +49,7 @@ std::vector<std::string> cells(std::string name, const StepSeconds& values, std:
 std::string tables(const std::vector<Rounds>& rounds) {
   const std::size_t one = std::size(kCases);
   std::vector<std::string> head = {"24 frames, s"}, ratio_head = {"over one frame, dsppm"};
-  for (const char* step : kSteps) head.emplace_back(step), ratio_head.emplace_back(step);
+  for (const char* step : kStepNames) head.emplace_back(step), ratio_head.emplace_back(step);
   ratio_head.insert(ratio_head.end(), {"over one frame, sppm", "over nothing changes"});
   Table seconds(head), over(ratio_head);
   for (std::size_t i = 0; i < one; ++i) {

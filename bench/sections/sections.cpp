@@ -26,6 +26,7 @@ std::span<const Section> sections() {
       {"memory", "WG12 table 2: peak memory over the number of frames", measure_memory},
       {"frames", "time and memory of up to 256 frames", measure_frames},
       {"threads", "from one thread to all", measure_threads},
+      {"device", "the CPU, the CPU in waves and a GPU: frames together and one by one", measure_device},
       {"error", "time to equal error of the integrators and estimators", measure_error},
       {"light", "scenes whose light hardly reaches what the camera sees", measure_light},
       {"seen", "after equal time, apart: what path finds, and what it does not", measure_seen},

@@ -18,6 +18,7 @@ Findings measure_lamp(const Setup& setup);
 Findings measure_memory(const Setup& setup);
 Findings measure_frames(const Setup& setup);
 Findings measure_threads(const Setup& setup);
+Findings measure_device(const Setup& setup);
 Findings measure_error(const Setup& setup);
 Findings measure_light(const Setup& setup);
 Findings measure_seen(const Setup& setup);

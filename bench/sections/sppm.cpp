@@ -59,7 +59,7 @@ Findings measure_sppm(const Setup& setup) {
       say("{}, direct light: {}", name, direct);
       const Row row = measure(loaded, direct, iterations);
       std::vector<std::string> cells = {name, direct, seconds_cell(row.seconds.back())};
-      for (std::size_t s = 0; s + 1 < kSteps.size(); ++s) cells.push_back(seconds_cell(row.seconds[s]));
+      for (std::size_t s = 0; s + 1 < kStepNames.size(); ++s) cells.push_back(seconds_cell(row.seconds[s]));
       cells.push_back(fmt::format("{:.2f} M", row.rays * 1e-6));
       cells.push_back(std::string(direct) == "photons" ? fmt::format("{:.0f}", memory / 1048576) : "");
       table.row(cells);

@@ -47,8 +47,8 @@ std::string table_of(const std::vector<StepSeconds>& seconds) {
   for (std::size_t i = 1; i < counts.size(); ++i)
     head.insert(head.end(), {fmt::format("{} threads, s", counts[i]), "speedup"});
   Table table(head);
-  for (std::size_t s = 0; s < kSteps.size(); ++s) {
-    std::vector<std::string> cells = {kSteps[s], seconds_cell(seconds[0][s])};
+  for (std::size_t s = 0; s < kStepNames.size(); ++s) {
+    std::vector<std::string> cells = {kStepNames[s], seconds_cell(seconds[0][s])};
     for (std::size_t i = 1; i < counts.size(); ++i)
       cells.insert(cells.end(), {seconds_cell(seconds[i][s]), ratio_cell(seconds[0][s] / seconds[i][s])});
     table.row(cells);
