@@ -10,7 +10,6 @@
 #include "dspm/integrators/methods/photon_batches.h"
 #include "dspm/integrators/methods/pixel_sinks.h"
 #include "dspm/integrators/photons/typical_hit_point.h"
-#include "dspm/integrators/waves/devices.h"
 #include "dspm/integrators/waves/traced_paths.h"
 #include "dspm/world/scene/scene.h"
 
@@ -25,7 +24,7 @@ class Progressive final : public Integrator {
               const EstimatorKind& estimator)
       : render_(render),
         ways_(settings, scene),
-        paths_(tracer_on(settings.device), render.device == Device::automatic),
+        paths_(settings.device, render.device == Device::automatic),
         typical_(hit_point_tile_count(render.crop)) {
     statistics_.steps = {{"emission"}, {"hit points"}, {"photons"}, {"photon map"}, {"statistics"}};
     ways_.start_statistics(scene, render, statistics_);

@@ -56,7 +56,9 @@ std::unique_ptr<WaveTracer> tracer_on(Device device) {
   if (device == Device::cpu) return nullptr;
   if (device == Device::waves) return std::make_unique<WaveTracerOn<ThreadsMachine>>();
   std::string why_not;
-  return tracer_on_gpu(why_not);
+  std::unique_ptr<WaveTracer> tracer = tracer_on_gpu(why_not);
+  if (tracer == nullptr) throw MachineFailure(why_not);
+  return tracer;
 }
 
 }  // namespace dspm

@@ -14,7 +14,7 @@ bool has_gpu_module();
 /// Returns why no GPU can be used, in words that follow "because"; empty: one can. What has an answer once keeps it.
 std::string why_no_gpu();
 
-/// Returns null for the CPU, and for what is there of a GPU if why_no_gpu() has a reason.
+/// Returns null for the CPU. Throws MachineFailure if there is no GPU for Device::gpu.
 std::unique_ptr<WaveTracer> tracer_on(Device device);
 
 }  // namespace dspm

@@ -2,14 +2,41 @@
 
 #include <utility>
 
+#include "dspm/integrators/waves/devices.h"
+#include "dspm/integrators/waves/machine.h"
+#include "dspm/integrators/waves/plain_objects.h"
 #include "dspm/integrators/waves/wave_flux.h"
+#include "dspm/integrators/waves/wave_hit_points.h"
+#include "dspm/integrators/waves/wave_photons.h"
+#include "dspm/integrators/waves/wave_tracer.h"
 
 namespace dspm {
+namespace {
+
+template <class Settings>
+bool may_take_waves(const WaveTracer* tracer, const Scene& scene, const Settings& settings) {
+  return tracer != nullptr && why_not_in_waves(scene, settings).empty();
+}
+
+}  // namespace
+
+TracedPaths::TracedPaths(std::unique_ptr<WaveTracer> tracer, bool goes_on)
+    : tracer_(std::move(tracer)), goes_on_(goes_on) {}
+
+TracedPaths::TracedPaths(Device device, bool goes_on) : goes_on_(goes_on) {
+  try {
+    tracer_ = tracer_on(device);
+  } catch (const MachineFailure& failure) {
+    leave_gpu(failure);
+  }
+}
+
+TracedPaths::~TracedPaths() = default;
 
 std::vector<PhotonTrace> TracedPaths::photons(const Scene& scene, const PhotonSettings& settings,
                                               std::uint64_t iteration, std::int64_t first, std::int64_t end,
                                               std::vector<PhotonTrace> reuse) {
-  if (may_take_waves(scene, settings) && attempt(scene, [&] {
+  if (may_take_waves(tracer_.get(), scene, settings) && attempt(scene, [&] {
         reuse = trace_photons_in_waves(scene, *tracer_, settings, iteration, first, end, std::move(reuse));
       }))
     return reuse;
@@ -19,7 +46,7 @@ std::vector<PhotonTrace> TracedPaths::photons(const Scene& scene, const PhotonSe
 std::vector<HitPointTile> TracedPaths::hit_points(const Scene& scene, const RenderSettings& render,
                                                   const HitPointSettings& settings, std::uint64_t iteration,
                                                   std::vector<HitPointTile> reuse) {
-  if (may_take_waves(scene, settings) && attempt(scene, [&] {
+  if (may_take_waves(tracer_.get(), scene, settings) && attempt(scene, [&] {
         reuse =
             trace_hit_points_in_waves(scene, plain_->scene(), *tracer_, render, settings, iteration, std::move(reuse));
       }))

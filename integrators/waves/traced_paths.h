@@ -17,19 +17,21 @@
 #include "dspm/integrators/photons/point_flux.h"
 #include "dspm/integrators/photons/trace_hit_points.h"
 #include "dspm/integrators/photons/trace_photons.h"
-#include "dspm/integrators/waves/machine.h"
-#include "dspm/integrators/waves/plain_objects.h"
-#include "dspm/integrators/waves/wave_hit_points.h"
-#include "dspm/integrators/waves/wave_photons.h"
-#include "dspm/integrators/waves/wave_tracer.h"
 #include "dspm/world/scene/scene.h"
 
 namespace dspm {
 
+class MachineFailure;
+class PlainObjects;
+class WaveTracer;
+
 class TracedPaths {
  public:
   /// Without a tracer, all paths are traced one by one. `goes_on`: if the tracer fails, the CPU traces what it has not; else MachineFailure is thrown.
-  TracedPaths(std::unique_ptr<WaveTracer> tracer, bool goes_on) : tracer_(std::move(tracer)), goes_on_(goes_on) {}
+  TracedPaths(std::unique_ptr<WaveTracer> tracer, bool goes_on);
+  /// The same by the tracer of a device.
+  TracedPaths(Device device, bool goes_on);
+  ~TracedPaths();
 
   /// Does what trace_photons() does.
   std::vector<PhotonTrace> photons(const Scene& scene, const PhotonSettings& settings, std::uint64_t iteration,
@@ -48,10 +50,6 @@ class TracedPaths {
   const std::string& why_off_gpu() const { return why_off_gpu_; }
 
  private:
-  template <class Settings>
-  bool may_take_waves(const Scene& scene, const Settings& settings) const {
-    return tracer_ != nullptr && why_not_in_waves(scene, settings).empty();
-  }
   /// Sees to it that the tracer has the scene, which is plain.
   void load(const Scene& scene);
   void leave_gpu(const MachineFailure& failure);

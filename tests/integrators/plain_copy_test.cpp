@@ -264,16 +264,26 @@ TEST(PlainCopy, PointsIntoItsMemoryOnly) {
     }
     EXPECT_EQ(arena.pieces(), 0);
   }
-  for (const std::type_index type :
-       {std::type_index(typeid(PlainTree)), std::type_index(typeid(PlainTree::Placed)),
-        std::type_index(typeid(Bvh::NodeFrames)), std::type_index(typeid(TrianglePacket)),
-        std::type_index(typeid(FrameSet)), std::type_index(typeid(Face)), std::type_index(typeid(PatchCorners)),
-        std::type_index(typeid(std::uint8_t)), std::type_index(typeid(Vec2)), std::type_index(typeid(Vec3)),
-        std::type_index(typeid(AlbedoTable)), std::type_index(typeid(BrushedAlbedo)),
-        std::type_index(typeid(BoundaryTables)), std::type_index(typeid(BrushedGlass)),
-        std::type_index(typeid(PlainTexture<Rgb>)), std::type_index(typeid(PlainTexture<float>)),
-        std::type_index(typeid(Rgb)), std::type_index(typeid(float)), std::type_index(typeid(PlainBody)),
-        std::type_index(typeid(PlainIndex))})
+  for (const std::type_index type : {std::type_index(typeid(PlainTree)),
+                                     std::type_index(typeid(PlainTree::Placed)),
+                                     std::type_index(typeid(Bvh::NodeFrames)),
+                                     std::type_index(typeid(TrianglePacket)),
+                                     std::type_index(typeid(FrameSet)),
+                                     std::type_index(typeid(Face)),
+                                     std::type_index(typeid(PatchCorners)),
+                                     std::type_index(typeid(std::uint8_t)),
+                                     std::type_index(typeid(Vec2)),
+                                     std::type_index(typeid(Vec3)),
+                                     std::type_index(typeid(AlbedoTable)),
+                                     std::type_index(typeid(BrushedAlbedo)),
+                                     std::type_index(typeid(BoundaryTables)),
+                                     std::type_index(typeid(BrushedGlass)),
+                                     std::type_index(typeid(PlainTexture<Rgb>)),
+                                     std::type_index(typeid(PlainTexture<float>)),
+                                     std::type_index(typeid(Rgb)),
+                                     std::type_index(typeid(float)),
+                                     std::type_index(typeid(PlainBody)),
+                                     std::type_index(typeid(PlainIndex))})
     EXPECT_TRUE(types.contains(type)) << type.name();
   EXPECT_GT(of_frames, 0);
 }
