@@ -6,8 +6,10 @@
 #include "bench/report/progress.h"
 #include "bench/report/table.h"
 #include "bench/sections/sections.h"
+#include "dspm/base/colour/rgb.h"
 #include "dspm/base/math/frames.h"
 #include "dspm/base/math/moments.h"
+#include "dspm/image/image.h"
 #include "dspm/integrators/waves/devices.h"
 #include "dspm/integrators/waves/machine.h"
 

@@ -86,8 +86,11 @@ constexpr void for_each_arrival(const PlainScene& scene, const Query& query, con
     FrameHit whole = part;
     whole.hit.t += path.bodies.passed;
     here.bodies.inside = met.arriving;
-    if (dim(scene.bodies, here, whole.hit.t, out))
-      tracer.arrived(here, {shape, whole, point, scene.material_within(shape.material, met.around)});
+    if (!dim(scene.bodies, here, whole.hit.t, out)) continue;
+    scene.for_each_state(shape.material, met.around, part.frames, [&](FrameSet frames, const PlainMaterial& material) {
+      here.frames = whole.frames = frames;
+      tracer.arrived(here, {shape, whole, point, material});
+    });
   }
 }
 

@@ -93,15 +93,16 @@ struct GatherSteps {
     const PlainPlacedShape& shape = scene.shape_of(at.hit);
     const SameSurface surface(point.p, point.ng, at.p_error, point.face, rounded::sqrt(point.radius2));
     const SurfaceGeometry met = shape.surface_point(at.hit.primitive, at.hit.uv);
-    scene.materials[scene.place_of_material(at.hit, at.inside)].with_bsdf(met, {}, [&](const auto& bsdf) {
-      gather(i, shape.material, [&](const PlainPhotonGrid& in, std::uint32_t place) -> std::optional<Spectrum> {
-        const GatheredPhoton& photon = in.photons[place];
-        const bool counts = at.transmits ? surface.counts(in.grid.point(place), photon.wi, in.faces[place])
-                                         : dot(photon.wi, point.ng) > 0;
-        if (!counts) return std::nullopt;
-        return photon.flux * bsdf.evaluate(at.wo, photon.wi, Transport::radiance, at.lobes);
-      });
-    });
+    scene.materials[scene.place_in(scene.place_of_material(at.hit, at.inside), point.frames.lowest())].with_bsdf(
+        met, {}, [&](const auto& bsdf) {
+          gather(i, shape.material, [&](const PlainPhotonGrid& in, std::uint32_t place) -> std::optional<Spectrum> {
+            const GatheredPhoton& photon = in.photons[place];
+            const bool counts = at.transmits ? surface.counts(in.grid.point(place), photon.wi, in.faces[place])
+                                             : dot(photon.wi, point.ng) > 0;
+            if (!counts) return std::nullopt;
+            return photon.flux * bsdf.evaluate(at.wo, photon.wi, Transport::radiance, at.lobes);
+          });
+        });
   }
 
   /// flux_of(grid, place) returns a photon's flux times f; nullopt if it does not count.

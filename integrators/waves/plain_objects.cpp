@@ -26,6 +26,8 @@ const Material* only_state(const FrameStates<Material>& material, FrameSet all) 
                                                                                 : nullptr;
 }
 
+constexpr PlainDiffuse kUnused{};  // no shape is made of it, or the scene would not be plain
+
 /// `alphas` keeps the texture of its holes.
 PlainPlacedShape plain(const Scene& scene, std::size_t index, std::deque<PlainTexture<float>>& alphas) {
   const PlacedShape& placed = scene.shapes[index];
@@ -53,14 +55,22 @@ std::string why_not_plain(const Scene& scene) {
   for (const PlacedShape& shape : scene.shapes) {
     if (shape.cutout != nullptr && !shape.cutout->plain())
       return name_of(scene, shape) + " has holes by a texture that has no plain form";
-    const Material* const material =
-        only_state(scene.materials[static_cast<std::size_t>(shape.material)], scene.frames());
-    if (material == nullptr) return "the material of " + name_of(scene, shape) + " differs between frames";
-    if (material->scatters_inside()) return "light is scattered inside " + name_of(scene, shape);
-    if (!material->plain(*scene.palette))
-      return "the material of " + name_of(scene, shape) + " is none of the plain kinds";
+    const FrameStates<Material>& material = scene.materials[static_cast<std::size_t>(shape.material)];
+    if (scene.body_of(shape.material) != kNoBody && only_state(material, scene.frames()) == nullptr)
+      return "the body " + name_of(scene, shape) + " differs between frames";
+    for (const auto& [frames, state] : material.states) {
+      if (state->scatters_inside()) return "light is scattered inside " + name_of(scene, shape);
+      if (!state->plain(*scene.palette))
+        return "the material of " + name_of(scene, shape) + " is none of the plain kinds";
+    }
   }
   return {};
+}
+
+bool looks_differ(const Scene& scene) {
+  return std::ranges::any_of(scene.shapes, [&](const PlacedShape& shape) {
+    return scene.materials[static_cast<std::size_t>(shape.material)].differs_in(scene.frames());
+  });
 }
 
 PlainObjects::PlainObjects(const Scene& scene) : trees_(dynamic_cast<const TwoLevel&>(*scene.accel)) {
@@ -69,14 +79,17 @@ PlainObjects::PlainObjects(const Scene& scene) : trees_(dynamic_cast<const TwoLe
   find_bodies(scene);
   for (std::size_t around = 0; around < surroundings_.size(); ++around)
     for (std::size_t m = 0; m < scene.materials.size(); ++m) materials_.push_back(plain_material(scene, m, around));
+  add_states(scene);
   plain_ = {.query = trees_.query(),
             .shapes = shapes_.data(),
             .materials = materials_.data(),
+            .states = states_.data(),
             .bodies = {bodies_.data(), bodies_.size()},
             .surroundings = surroundings_.data(),
             .shape_count = shapes_.size(),
             .material_count = scene.materials.size(),
-            .surroundings_count = surroundings_.size()};
+            .surroundings_count = surroundings_.size(),
+            .state_count = states_.size()};
 }
 
 void PlainObjects::find_bodies(const Scene& scene) {
@@ -103,11 +116,26 @@ int PlainObjects::surroundings_of(const Material& body) {
 }
 
 PlainMaterial PlainObjects::plain_material(const Scene& scene, std::size_t material, std::size_t around) const {
-  constexpr PlainDiffuse kUnused{};  // no shape is made of it, or the scene would not be plain
   const Material* const state = only_state(scene.materials[material], scene.frames());
   if (state == nullptr) return kUnused;
   const bool may_be_there = around == 0 || may_lie_within(material, around);
   return state->plain(*scene.palette, surroundings_[may_be_there ? around : 0]).value_or(kUnused);
+}
+
+void PlainObjects::add_states(const Scene& scene) {
+  states_.resize(materials_.size());
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    if (only_state(scene.materials[m], scene.frames()) != nullptr) continue;
+    std::size_t place = m;
+    for (const auto& [frames, state] : scene.materials[m].states) {
+      if (!states_[place].frames.empty()) {
+        states_[place].next = materials_.size();
+        place = materials_.size();
+        materials_.push_back(kUnused), states_.emplace_back();
+      }
+      materials_[place] = state->plain(*scene.palette).value_or(kUnused), states_[place].frames = frames;
+    }
+  }
 }
 
 /// Bodies make tables for what is around them, so it is worth a question.

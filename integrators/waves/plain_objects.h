@@ -21,6 +21,8 @@ namespace dspm {
 /// Returns what keeps paths in the scene from being traced in waves, in words that follow "because"; empty if nothing
 /// does.
 std::string why_not_plain(const Scene& scene);
+/// Returns whether frames differ in the material of some shape. In waves they part there.
+bool looks_differ(const Scene& scene);
 
 class PlainObjects {
  public:
@@ -36,11 +38,14 @@ class PlainObjects {
   /// Returns the material as it is in these surroundings.
   PlainMaterial plain_material(const Scene& scene, std::size_t material, std::size_t around) const;
   bool may_lie_within(std::size_t material, std::size_t around) const;
+  /// Adds the states of materials that differ between frames.
+  void add_states(const Scene& scene);
 
   PlainTrees trees_;
   std::deque<PlainTexture<float>> alphas_;
   std::vector<PlainPlacedShape> shapes_;
   std::vector<PlainMaterial> materials_;      // see PlainScene
+  std::vector<PlainState> states_;            // likewise
   std::vector<PlainBody> bodies_;             // likewise
   std::vector<PlainIndex> surroundings_;      // likewise
   std::vector<std::vector<float>> by_nm_{1};  // that they point to; the first is empty

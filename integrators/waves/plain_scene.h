@@ -67,28 +67,51 @@ struct PlainPlacedShape {
   }
 };
 
+/// A state of a material that differs between frames.
+struct PlainState {
+  FrameSet frames;
+  std::size_t next = 0;  // the place of the next one among PlainScene::materials; 0: there is none
+
+  friend constexpr bool operator==(const PlainState&, const PlainState&) = default;
+};
+
 struct PlainScene {
   PlainQuery query;
   const PlainPlacedShape* shapes = nullptr;
-  const PlainMaterial* materials = nullptr;  // by surroundings, then by material, see material_within()
+  // By surroundings, then by material, see material_within(). Beyond them are the second states of materials and so on.
+  const PlainMaterial* materials = nullptr;
+  const PlainState* states = nullptr;  // of the materials, if they have several
   PlainBodies bodies;
   const PlainIndex* surroundings = nullptr;  // the indices of refraction that are around bodies, the usual 1 first
-  std::size_t shape_count = 0, material_count = 0, surroundings_count = 0;
+  std::size_t shape_count = 0, material_count = 0, surroundings_count = 0, state_count = 0;
 
   /// See plain_copy.h.
   template <class Fn>
   constexpr void each_array(Fn&& fn) {
     query.each_array(fn);
     fn(shapes, shape_count);
-    fn(materials, material_count * surroundings_count);
+    fn(materials, state_count), fn(states, state_count);
     bodies.each_array(fn);
     fn(surroundings, surroundings_count);
   }
 
   constexpr const PlainPlacedShape& shape_of(const RayHit& hit) const { return shapes[hit.shape]; }
-  /// Returns the material as it is within that body; null: within none of another priority.
-  constexpr const PlainMaterial& material_within(int material, const PlainBody* around) const {
-    return materials[place_within(material, around)];
+  /// Calls fn(FrameSet, const PlainMaterial&) for the states of a material in some of these frames, as it is within that body;
+  /// null: within none of another priority.
+  template <class Fn>
+  constexpr void for_each_state(int material, const PlainBody* around, FrameSet frames, const Fn& fn) const {
+    std::size_t place = place_within(material, around);
+    if (states[place] == PlainState()) return fn(frames, materials[place]);
+    do {
+      if (const FrameSet common = states[place].frames & frames; !common.empty()) fn(common, materials[place]);
+      place = states[place].next;
+    } while (place != 0);
+  }
+  /// Returns the place of its state in a frame; `first` is that of its first state.
+  constexpr std::size_t place_in(std::size_t first, Frame frame) const {
+    std::size_t place = first;
+    while (states[place].next != 0 && !states[place].frames.contains(frame)) place = states[place].next;
+    return place;
   }
   /// Returns the place among `materials` of what a path has met that has arrived in these bodies.
   constexpr std::size_t place_of_material(const RayHit& hit, const Inside& arriving) const {

@@ -18,10 +18,13 @@ void for_each_tile(std::span<const HitPointTile> tiles, const Fn& fn) {
   parallel_for(static_cast<std::int64_t>(tiles.size()), 1, [&](std::int64_t t) { fn(static_cast<std::size_t>(t)); });
 }
 
-/// Returns whether a device can make the Bsdf at a hit point anew. It does not average textures over what a path stands for.
+/// Returns whether a device can make the Bsdf at a hit point anew. It does not average textures over what a path stands for, and
+/// has one material for all frames of a hit point.
 bool is_plain(const HitPoint& hit, const Scattering& at, const PlainScene& plain) {
-  return hit.wavelength.nm == 0 && at.strip < 0 && !at.hit.missed() && at.ns == at.unbent_ns &&
-         !plain.materials[plain.place_of_material(at.hit, at.inside)].averages();
+  if (hit.wavelength.nm != 0 || at.strip >= 0 || at.hit.missed() || at.ns != at.unbent_ns) return false;
+  const std::size_t place = plain.place_in(plain.place_of_material(at.hit, at.inside), hit.frames.lowest());
+  const PlainState& state = plain.states[place];
+  return (state == PlainState() || state.frames.contains(hit.frames)) && !plain.materials[place].averages();
 }
 
 }  // namespace

@@ -120,7 +120,10 @@ bool has_strands(const Scene& scene, const PhotonSettings& settings, const Photo
 std::string why_not_in_waves(const Scene& scene, const PhotonSettings& settings) {
   if (settings.keep_ends || settings.keep_seen || settings.own_wavelengths) return "its photons are those of a pilot";
   if (has_strands(scene, settings, PhotonStarts(scene, settings.share_paths)))
-    return "lights differ between frames in strength or colour";
+    return "lights differ between frames in strength or colour, and frames share paths (\"bool sharepaths\" false "
+           "parts them)";
+  if (settings.share_paths && looks_differ(scene))
+    return "materials differ between frames, and frames share paths (\"bool sharepaths\" false parts them)";
   return why_not_plain(scene);
 }
 

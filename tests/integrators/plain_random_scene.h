@@ -21,10 +21,13 @@ class PlainRandomScene {
     std::string camera = "LookAt 0 0.2 -4.2  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" 40";
     std::string film = {}, walls = {};  // further parameters
     int lights = 2;
-    bool varies = false;  // materials may have textures that vary
+    bool varies = false;   // materials may have textures that vary
+    bool differs = false;  // materials and lights may differ between frames
   };
 
-  std::string text(const std::string& integrator) { return text(integrator, {.varies = true}); }
+  std::string text(const std::string& integrator, bool differs = false) {
+    return text(integrator, {.varies = true, .differs = differs});
+  }
   std::string text(const std::string& integrator, const View& view) {
     std::string s = fmt::format(
         "Frames {}\nIntegrator {}\n{}\nFilm \"rgb\" \"integer xresolution\" 24 \"integer yresolution\" 20 {}\n"
@@ -49,6 +52,7 @@ class PlainRandomScene {
     for (int i = 0; i < view.lights; ++i) s += light(whole(0, 5));
     for (int i = 0; i < 3; ++i)
       s += "AttributeBegin\n" + place() + "\n" + material(whole(0, kinds - 1)) + shape(false) + "AttributeEnd\n";
+    if (view.differs) s += looks();
     s += bodies();
     for (int i = 0; i < 2; ++i)
       s += fmt::format("DynamicBegin \"thing{}\" {}\nKeyframe 1 {} Keyframe {} {} KeyframeEnd\n{}DynamicEnd\n", i,
@@ -112,6 +116,19 @@ class PlainRandomScene {
     const int first = whole(0, 2);
     return fmt::format("Material \"mix\" \"string materials\" [\"{}\" \"{}\"] {}\n", kParts[first],
                        kParts[(first + 1) % 3], amount);
+  }
+  /// Shapes and a light that differ between frames in their looks.
+  std::string looks() {
+    std::string s = fmt::format("LightSource \"point\" \"rgb I@1\" [2 2 2] \"rgb I@{}\" [4 1 3]\n", whole(2, kFrames));
+    for (int i = 0; i < 2; ++i)
+      s += fmt::format(
+          "AttributeBegin {} Material \"{}\" \"rgb reflectance@1\" [.9 {} .4] \"rgb reflectance@{}\" [.2 .8 .9]\n{}"
+          "AttributeEnd\n",
+          place(), whole(0, 1) == 0 ? "diffuse" : "conductor", real(0, 1), whole(2, kFrames), shape(false));
+    return s + fmt::format(
+                   "AttributeBegin {} Material \"conductor\" \"float roughness@1\" 0 \"float roughness@2\" .3 \"float "
+                   "roughness@{}\" .1\n{}AttributeEnd\n",
+                   place(), whole(3, kFrames), shape(false));
   }
   /// What glass absorbs, and its priority, if it has any.
   std::string body() {

@@ -33,7 +33,7 @@ struct Iteration {
     PhotonSettings photon;
     photon.seed = seed, photon.max_depth = 6, photon.paths_per_trace = 512;
     HitPointSettings hit_point;
-    hit_point.share_paths = true, hit_point.radius = 0.3f, hit_point.least_alpha = seed % 2 == 0 ? 0.25f : 0.02f;
+    hit_point.radius = 0.3f, hit_point.least_alpha = seed % 2 == 0 ? 0.25f : 0.02f;
     tiles = trace_hit_points(scene, render, hit_point, seed, {});
     traces = trace_photons(scene, photon, seed, 0, 2000, {});
     photons.build(traces, scene.frame_count(), 0.3f);
@@ -83,7 +83,7 @@ TEST(WaveFlux, IsThatOfHitPointsOneByOne) {
   Found found;
   for (unsigned seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
-    TestScene test(PlainRandomScene(seed).text("\"dsppm\""));
+    TestScene test(PlainRandomScene(seed).text("\"dsppm\"", seed % 3 == 2));
     const auto scene = test.scene(test.all_frames());
     const Iteration iteration(*scene, test.job().settings, seed);
     const PlainObjects plain(*scene);
