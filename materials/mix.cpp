@@ -81,8 +81,8 @@ const Material* MixMaterial::chosen(const SurfacePoint& point, int depth) const 
   return parts_[takes_second(amount, point.p, depth) ? 1 : 0].get();
 }
 
-std::optional<PlainMaterial> MixMaterial::plain_look(const Palette& palette) const {
-  const auto first = parts_[0]->plain(palette), second = parts_[1]->plain(palette);
+std::optional<PlainMaterial> MixMaterial::plain_within(const Palette& palette, const PlainIndex& outside) const {
+  const auto first = parts_[0]->plain(palette, outside), second = parts_[1]->plain(palette, outside);
   const auto amount = plain_amount_.value(palette);
   const bool is_one_of_two = first && first->everywhere() && second && second->everywhere();
   if (opacity_ || !is_one_of_two || !amount) return std::nullopt;

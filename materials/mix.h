@@ -45,7 +45,7 @@ class MixMaterial final : public Material {
  private:
   class Opacity;
   /// Returns nullopt if a part has no plain form, has holes or is a mix itself.
-  std::optional<PlainMaterial> plain_look(const Palette& palette) const override;
+  std::optional<PlainMaterial> plain_within(const Palette& palette, const PlainIndex& outside) const override;
   /// Returns the part that bounds a body; if both do, they absorb alike, and the first one counts.
   const Material& body() const { return *parts_[parts_[0]->bounds_a_body() ? 0 : 1]; }
   static std::array<float, 2> cover_of(const FloatTexture& amount, const Opacities& opacities, const TexturePoint& at);

@@ -40,7 +40,8 @@ class PlainRandomScene {
          "\"string filename\" " +
          files()["picture.png"] +
          "\n"
-         "MakeNamedMaterial \"glass\" \"string type\" \"dielectric\" "
+         "MakeNamedMaterial \"glass\" \"string type\" \"dielectric\" \"rgb attenuationcolor\" [.9 .6 .7] \"integer "
+         "priority\" 1 "
          "MakeNamedMaterial \"leaf\" \"string type\" \"diffusetransmission\" \"rgb reflectance\" [.2 .5 .1] "
          "MakeNamedMaterial \"lacquer\" \"string type\" \"coatedconductor\" \"float conductor.roughness\" .02\n";
     const int kinds = view.varies ? kAll : kConstant;

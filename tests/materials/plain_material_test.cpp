@@ -220,6 +220,8 @@ TexturePtr<float> amount_of(float share) { return std::make_shared<ConstantTextu
 TEST(PlainMaterial, Mix) {
   for (const float share : {-1.f, 0.f, 0.3f, 0.8f, 1.f, 2.f})
     expect_same_answers(MixMaterial({part("diffuse"), part("coatedconductor")}, amount_of(share)), "mix");
+  const MixMaterial with_glass({part("diffuse"), part("dielectric")}, amount_of(0.5f));
+  expect_same_answers(with_glass, Palette::rgb(), "mix in water", PlainIndex{1.33f});
 }
 
 TEST(PlainMaterial, NotOfMixesOfWhatHasNone) {
