@@ -4,6 +4,7 @@
 
 #include "dspm/accel/ray_hit.h"
 #include "dspm/base/colour/spectrum.h"
+#include "dspm/base/math/frames.h"
 #include "dspm/base/math/ray.h"
 #include "dspm/base/math/vec.h"
 #include "dspm/integrators/transport/overlap.h"
@@ -26,7 +27,15 @@ struct Arrival {
   const PlainPlacedShape& shape;
   FrameHit part;  // with the whole length of the segment
   SurfaceGeometry point;
-  const PlainMaterial& material;  // as it is within the bodies around it
+  const PlainScene& scene;
+  const PlainBody* around;  // of higher priority; null: none
+  bool differs;             // the part's frames are not all in one state of the material
+
+  /// Calls fn(FrameSet, const PlainMaterial&) for each state of the material, as it is within the bodies around it.
+  template <class Fn>
+  constexpr void for_each_state(const Fn& fn) const {
+    scene.for_each_state(shape.material, around, part.frames, fn);
+  }
 };
 
 /// Returns the path as it goes straight on through a surface that is not there, `distance` along its ray; its segment lay in
@@ -54,6 +63,7 @@ constexpr bool dim(const PlainBodies& bodies, State& path, float distance, Out& 
 /// Takes the path to what it meets next. `out` has
 ///   void segment(const State&, const HitPartition&)   a ray was traced
 ///   void push(const State&)                           the path goes on, in the next wave
+///   void part(const State&)                           its frames differ in the material there
 ///   void dim(FrameSet, before, after)                 optional: what bodies leave of what the path carries
 /// `tracer` has, for the path as it is in some of its frames:
 ///   void escaped(const State&, const FrameHit&)
@@ -87,10 +97,9 @@ constexpr void for_each_arrival(const PlainScene& scene, const Query& query, con
     whole.hit.t += path.bodies.passed;
     here.bodies.inside = met.arriving;
     if (!dim(scene.bodies, here, whole.hit.t, out)) continue;
-    scene.for_each_state(shape.material, met.around, part.frames, [&](FrameSet frames, const PlainMaterial& material) {
-      here.frames = whole.frames = frames;
-      tracer.arrived(here, {shape, whole, point, material});
-    });
+    const bool differs = scene.differs_in(shape.material, part.frames);
+    if (differs) out.part(path);
+    tracer.arrived(here, {shape, whole, point, scene, met.around, differs});
   }
 }
 

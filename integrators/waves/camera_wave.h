@@ -184,8 +184,10 @@ constexpr void step(const PlainScene& scene, const Query& query, const CameraWav
       if (at.shape.emits) out.see({here, at.part, {}, WaveSight::Kind::emission});
       if (here.bounces >= wave.max_depth) return;
       CameraAtSurface<Out> surface(wave, here, at, out);
-      at.material.with_bsdf(at.point, wave.wavelength.of_path(here.alone),
-                            [&](const auto& bsdf) { surface.arrive(bsdf); });
+      at.for_each_state([&](FrameSet, const PlainMaterial& material) {  // only one, see why_not_in_waves()
+        material.with_bsdf(at.point, wave.wavelength.of_path(here.alone),
+                           [&](const auto& bsdf) { surface.arrive(bsdf); });
+      });
     }
   };
   for_each_arrival(scene, query, path, out, Tracer{wave, out});

@@ -78,28 +78,20 @@ class PhotonAtSurface {
   constexpr PhotonAtSurface(const PhotonWave& wave, const PhotonState& path, const Arrival& at, Out& out)
       : wave_(wave), path_(path), at_(at), point_(at.point), wo_(-path.ray.direction), out_(out) {}
 
-  /// Call this with all Bsdfs that may be beside the point, and last with the one that is there.
+  /// Says in which frames the next calls are.
+  constexpr void take(FrameSet frames) { path_.frames = frames; }
+  /// Sees whether photons are to be stored, by a Bsdf at the point or one that may be beside it.
   template <class AnyBsdf>
-  constexpr void arrive(const AnyBsdf& bsdf, bool is_there) {
-    gathers_ = gathers_ || gathering_lobes(bsdf, point_, wave_.least_alpha) != 0;
+  constexpr void look(const AnyBsdf& bsdf) {
+    if (gathering_lobes(bsdf, point_, wave_.least_alpha) != 0) gathering_ |= path_.frames;
     const bool may_hide = path_.hidden && path_.bounces > 0;
-    hides_ = hides_ || (may_hide && glossy_lobes(bsdf, point_, wave_.least_alpha) != 0);
-    if (!is_there) return;
+    if (may_hide && glossy_lobes(bsdf, point_, wave_.least_alpha) != 0) hidden_ |= path_.frames;
+  }
+  constexpr void store() {
     const bool is_wanted = path_.kind == kDirectPhotons ? path_.wants_direct : (path_.kind & wave_.kinds) != 0;
-    if (gathers_ && is_wanted) store(false);
-    if (hides_) store(true);
-    scatter(bsdf);
+    if (!gathering_.empty() && is_wanted) store(gathering_, false);
+    if (!hidden_.empty()) store(hidden_, true);
   }
-
- private:
-  constexpr void store(bool hidden) {
-    const auto correction = arrival_correction(point_.ns, point_.ng, wo_);
-    if (!correction) return;
-    out_.store({point_.p, point_.ng, wo_, path_.throughput * *correction, path_.frames,
-                ShapeFace(at_.part.hit.shape, point_.ng, wo_), path_.start, path_.path, path_.bounces, path_.kind,
-                hidden, path_.alone});
-  }
-
   template <class AnyBsdf>
   constexpr void scatter(const AnyBsdf& bsdf) {
     if (path_.bounces + 1 >= wave_.max_depth) return out_.end(path_, PhotonEnd::too_deep);
@@ -125,6 +117,15 @@ class PhotonAtSurface {
     out_.push(next);
   }
 
+ private:
+  constexpr void store(FrameSet frames, bool hidden) {
+    const auto correction = arrival_correction(point_.ns, point_.ng, wo_);
+    if (!correction) return;
+    out_.store({point_.p, point_.ng, wo_, path_.throughput * *correction, frames,
+                ShapeFace(at_.part.hit.shape, point_.ng, wo_), path_.start, path_.path, path_.bounces, path_.kind,
+                hidden, path_.alone});
+  }
+
   constexpr Spectrum play_roulette(const Spectrum& after) {
     const Spectrum& before = path_.throughput;
     if (!is_light(after)) {
@@ -140,12 +141,12 @@ class PhotonAtSurface {
   }
 
   const PhotonWave& wave_;
-  const PhotonState& path_;
+  PhotonState path_;
   const Arrival& at_;
   const SurfaceGeometry& point_;
   Vec3 wo_;
   Out& out_;
-  bool gathers_ = false, hides_ = false;
+  FrameSet gathering_, hidden_;  // in which photons are to be stored
 };
 
 /// Takes the path to what it meets next. `out` has
@@ -171,8 +172,20 @@ constexpr void step(const PlainScene& scene, const Query& query, const PhotonWav
     constexpr void arrived(const PhotonState& here, const Arrival& at) const {
       if (here.bounces == 0 && at.part.hit.t < here.must_reach) return out.end(here, PhotonEnd::absorbed);
       PhotonAtSurface<Out> surface(wave, here, at, out);
-      at.material.with_all_beside(at.point, wave.wavelength.of_path(here.alone),
-                                  [&](const auto& bsdf, bool is_there) { surface.arrive(bsdf, is_there); });
+      // Frames that differ in the material store one photon, and then part.
+      for (bool looks = true, scatters = !at.differs;; looks = false, scatters = true) {
+        at.for_each_state([&](FrameSet frames, const PlainMaterial& material) {
+          surface.take(frames);
+          material.with_all_beside(at.point, wave.wavelength.of_path(here.alone), [&](const auto& bsdf, bool is_there) {
+            if (looks) surface.look(bsdf);
+            if (!is_there || !scatters) return;
+            if (looks) surface.store();
+            surface.scatter(bsdf);
+          });
+        });
+        if (scatters) return;
+        surface.store();
+      }
     }
   };
   for_each_arrival(scene, query, path, out, Tracer{wave, out});

@@ -96,6 +96,12 @@ struct PlainScene {
   }
 
   constexpr const PlainPlacedShape& shape_of(const RayHit& hit) const { return shapes[hit.shape]; }
+  /// Returns whether these frames are not all in one state of a material.
+  constexpr bool differs_in(int material, FrameSet frames) const {
+    const auto place = static_cast<std::size_t>(material);
+    if (states[place] == PlainState() || frames.empty()) return false;
+    return !states[place_in(place, frames.lowest())].frames.contains(frames);
+  }
   /// Calls fn(FrameSet, const PlainMaterial&) for the states of a material in some of these frames, as it is within that body;
   /// null: within none of another priority.
   template <class Fn>

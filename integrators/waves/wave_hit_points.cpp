@@ -120,7 +120,7 @@ std::string why_not_in_waves(const Scene& scene, const HitPointSettings& setting
   if (settings.sample_direct || settings.light_media || (settings.direct != nullptr && settings.direct->scatters()))
     return "rays from hit points look for lights";
   if (settings.go_on) return "camera paths go on from hit points";
-  if (settings.share_paths && looks_differ(scene)) return "materials differ between frames that share paths";
+  if (looks_differ(scene)) return "materials differ between frames";
   if (std::string why = why_not_plain(scene); !why.empty()) return why;
   const bool averages = std::ranges::any_of(scene.materials, [&](const FrameStates<Material>& material) {
     return std::ranges::any_of(material.states, [&](const auto& state) {

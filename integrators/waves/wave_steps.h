@@ -74,6 +74,7 @@ struct PhotonSteps : WaveStepOut<PhotonState> {
     }
     constexpr void store(const WavePhoton& photon) const { to.photons.append(photon); }
     constexpr void push(const PhotonState& path) const { to.next.append(path); }
+    constexpr void part(const PhotonState& path) const { to.parted[path.path] = 1; }
     constexpr void end(const PhotonState& path, PhotonEnd end) const {
       const FrameSet frames = path.frames;
       const std::int64_t flux = to.unit.of(sum(path.throughput));
@@ -132,6 +133,7 @@ struct CameraSteps : WaveStepOut<CameraState> {
     constexpr void see(const WaveSight& sight) const { to.sights.append(sight); }
     constexpr void store(const WaveHitPoint& hit) const { to.hit_points.append(hit); }
     constexpr void push(const CameraState& path) const { to.next.append(path); }
+    constexpr void part(const CameraState& path) const { to.parted[path.path] = 1; }
     constexpr void reject_shape(const CameraState& path, int shape) const {
       to.rejections.append({path.start, path.bounces, true, shape, path.frames});
     }

@@ -174,7 +174,7 @@ TEST(Waves, LeaveImagesAsTheyAre) {
       const std::string text = PlainRandomScene(seed).text(integrator);
       const std::vector<Image> cpu = images(text, "cpu"), waves = images(text, "waves");
       ASSERT_EQ(cpu.size(), waves.size());
-      for (std::size_t f = 0; f < cpu.size(); ++f) EXPECT_EQ(cpu[f].pixels, waves[f].pixels) << f;
+      for (std::size_t f = 0; f < cpu.size(); ++f) EXPECT_TRUE(cpu[f].pixels == waves[f].pixels) << f;
     }
 }
 
@@ -204,7 +204,7 @@ TEST(Waves, LeaveImagesAsTheyAreIfLooksDiffer) {
       const std::string text = PlainRandomScene(seed).text(integrator, true);
       const std::vector<Image> cpu = images(text, "cpu"), waves = images(text, "waves");
       ASSERT_EQ(cpu.size(), waves.size());
-      for (std::size_t f = 0; f < cpu.size(); ++f) EXPECT_EQ(cpu[f].pixels, waves[f].pixels) << f;
+      for (std::size_t f = 0; f < cpu.size(); ++f) EXPECT_TRUE(cpu[f].pixels == waves[f].pixels) << f;
     }
 }
 
