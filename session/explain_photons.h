@@ -1,4 +1,5 @@
-// Explains what a scene's integrator learns about where photons should start, without a render.
+// Explains what a scene's integrator learns about where photons should start, without a render, and whether a GPU can trace
+// them.
 #pragma once
 
 #include <string>

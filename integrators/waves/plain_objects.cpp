@@ -45,26 +45,40 @@ PlainPlacedShape plain(const Scene& scene, std::size_t index, std::deque<PlainTe
   return shape;
 }
 
-}  // namespace
-
-std::string why_not_plain(const Scene& scene) {
-  if (!scene.media.empty()) return "there are media";
-  if (dynamic_cast<const TwoLevel*>(scene.accel.get()) == nullptr) return "the accelerator is not \"two-level\"";
-  if (const int s = first_not_plain(scene.shapes); s >= 0)
-    return name_of(scene, scene.shapes[static_cast<std::size_t>(s)]) + " is none of the plain kinds";
-  for (const PlacedShape& shape : scene.shapes) {
-    if (shape.cutout != nullptr && !shape.cutout->plain())
-      return name_of(scene, shape) + " has holes by a texture that has no plain form";
-    const FrameStates<Material>& material = scene.materials[static_cast<std::size_t>(shape.material)];
-    if (scene.body_of(shape.material) != kNoBody && only_state(material, scene.frames()) == nullptr)
-      return "the body " + name_of(scene, shape) + " differs between frames";
-    for (const auto& [frames, state] : material.states) {
-      if (state->scatters_inside()) return "light is scattered inside " + name_of(scene, shape);
-      if (!state->plain(*scene.palette))
-        return "the material of " + name_of(scene, shape) + " is none of the plain kinds";
-    }
+/// Returns what keeps the shape's material from being plain.
+std::string why_not_plain(const Scene& scene, const PlacedShape& shape) {
+  const FrameStates<Material>& material = scene.materials[static_cast<std::size_t>(shape.material)];
+  if (scene.body_of(shape.material) != kNoBody && only_state(material, scene.frames()) == nullptr)
+    return "the body " + name_of(scene, shape) + " differs between frames";
+  for (const auto& [frames, state] : material.states) {
+    if (state->scatters_inside()) return "light is scattered inside " + name_of(scene, shape);
+    if (!state->plain(*scene.palette))
+      return "the material of " + name_of(scene, shape) + " is none of the plain kinds";
   }
   return {};
+}
+
+}  // namespace
+
+std::vector<std::string> reasons_not_plain(const Scene& scene) {
+  std::vector<std::string> reasons;
+  const auto add = [&](std::string reason) {
+    if (!reason.empty() && std::ranges::find(reasons, reason) == reasons.end()) reasons.push_back(std::move(reason));
+  };
+  if (!scene.media.empty()) add("there are media");
+  if (dynamic_cast<const TwoLevel*>(scene.accel.get()) == nullptr) add("the accelerator is not \"two-level\"");
+  for (const PlacedShape& shape : scene.shapes) {
+    if (first_not_plain({&shape, 1}) >= 0) add(name_of(scene, shape) + " is none of the plain kinds");
+    if (shape.cutout != nullptr && !shape.cutout->plain())
+      add(name_of(scene, shape) + " has holes by a texture that has no plain form");
+    add(why_not_plain(scene, shape));
+  }
+  return reasons;
+}
+
+std::string why_not_plain(const Scene& scene) {
+  const std::vector<std::string> reasons = reasons_not_plain(scene);
+  return reasons.empty() ? "" : reasons.front();
 }
 
 bool looks_differ(const Scene& scene) {

@@ -18,8 +18,10 @@
 
 namespace dspm {
 
-/// Returns what keeps paths in the scene from being traced in waves, in words that follow "because"; empty if nothing
-/// does.
+/// Returns all that keeps paths in the scene from being traced in waves, each once, in words that follow "because"; none if
+/// nothing does.
+std::vector<std::string> reasons_not_plain(const Scene& scene);
+/// Returns the first of them, or an empty string.
 std::string why_not_plain(const Scene& scene);
 /// Returns whether frames differ in the material of some shape. In waves they part there.
 bool looks_differ(const Scene& scene);
