@@ -39,7 +39,7 @@ set(toolkit_headers
   base/math/double_vec.h base/math/rounding.h
   accel/box_ray.h accel/cut_query.h accel/hits.h accel/meet.h accel/nearest_hit.h
   base/colour/spectrum_lanes.h
-  base/grid/buffer.h base/grid/point_grid.h base/grid/points_within.h
+  base/system/untouched.h base/grid/buffer.h base/grid/grid_cells.h base/grid/point_grid.h base/grid/points_within.h
   base/math/frame_lanes.h
   cameras/blades.h cameras/camera_space.h cameras/orthographic_rays.h cameras/perspective_rays.h cameras/projection.h cameras/screen.h
   cameras/thin_lens.h
@@ -54,6 +54,7 @@ set(toolkit_headers
   integrators/photons/hit_point.h integrators/photons/hit_point_tile.h integrators/photons/medium_photons.h
   integrators/photons/memory_needs.h
   integrators/photons/photon.h integrators/photons/photon_grid.h integrators/photons/photon_kinds.h integrators/photons/photon_map.h
+  integrators/photons/plain_photon_map.h integrators/photons/point_flux.h
   integrators/photons/photon_numbers.h
   integrators/photons/radiance_estimate.h integrators/photons/same_surface.h
   integrators/photons/trace_hit_points.h integrators/photons/trace_photons.h
@@ -62,17 +63,18 @@ set(toolkit_headers
   integrators/transport/left_in_media.h integrators/transport/light_value.h integrators/transport/medium_boundary.h
   integrators/transport/medium_flight.h integrators/transport/medium_passage.h integrators/transport/medium_segment.h
   integrators/transport/medium_vertex.h
-  integrators/transport/gathering_lobes.h integrators/transport/lobe_choice.h integrators/transport/nesting.h integrators/transport/path_step.h integrators/transport/roulette.h integrators/transport/roulette_chance.h
+  integrators/transport/gathering_lobes.h integrators/transport/lobe_choice.h integrators/transport/nesting.h integrators/transport/overlap.h integrators/transport/path_step.h integrators/transport/roulette.h integrators/transport/roulette_chance.h
   integrators/transport/sample_bsdf.h integrators/transport/shading_correction.h integrators/transport/shape_face.h integrators/transport/strand.h integrators/transport/strip_place.h
   integrators/transport/walk.h
   lights/aim.h lights/emitter_light.h lights/point_emitter.h lights/spot_emitter.h lights/strength.h
   materials/albedo_table.h materials/boundary_tables.h materials/brushed_albedo.h materials/brushed_tables.h
-  materials/conductor_bsdf.h materials/dielectric_bsdf.h materials/diffuse_bsdf.h
+  materials/conductor_bsdf.h materials/dielectric_bsdf.h materials/diffuse_bsdf.h materials/coat.h materials/coated_conductor_bsdf.h materials/coated_diffuse_bsdf.h
+  materials/diffuse_transmission_bsdf.h materials/small_number.h
   materials/fresnel.h materials/interface.h materials/made_up.h materials/metal_tables.h materials/per_surroundings.h
   materials/plain_bsdf.h materials/plain_material.h materials/plain_parameters.h materials/relief.h materials/rough_boundary.h materials/table_place.h
   materials/thin_dielectric_bsdf.h
   media/henyey_greenstein.h
   shapes/beyond_hole.h shapes/curvature.h shapes/cylinder.h shapes/disk.h shapes/plain_shape.h 
-  shapes/quadric.h shapes/quadric_shape.h  shapes/sphere.h shapes/triangle.h
+  shapes/quadric.h shapes/quadric_shape.h  shapes/sphere.h shapes/bilinear_patch.h shapes/bilinearmesh.h shapes/triangle.h
   textures/mapping.h textures/noise.h textures/plain_part.h textures/plain_image.h textures/plain_mapping.h
   textures/plain_texture.h textures/plain_value.h)

@@ -26,7 +26,6 @@ std::span<const Section> sections() {
       {"memory", "WG12 table 2: peak memory over the number of frames", measure_memory},
       {"frames", "time and memory of up to 256 frames", measure_frames},
       {"threads", "from one thread to all", measure_threads},
-      {"device", "the CPU, the CPU in waves and a GPU: frames together and one by one", measure_device},
       {"error", "time to equal error of the integrators and estimators", measure_error},
       {"light", "scenes whose light hardly reaches what the camera sees", measure_light},
       {"seen", "after equal time, apart: what path finds, and what it does not", measure_seen},
@@ -40,6 +39,7 @@ std::span<const Section> sections() {
       {"white", "what white principled materials give back in a white furnace", measure_white},
       {"dispersion", "prisms: frames together against one by one, and how far from white", measure_dispersion},
       {"colours", "spectral renders against RGB: cost, noise, and how soon colours are right", measure_colours},
+      {"device", "the CPU, the CPU in waves and a GPU: frames together and one by one", measure_device},
   };
   return kSections;
 }
