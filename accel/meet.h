@@ -13,11 +13,15 @@
 
 namespace dspm {
 
-constexpr std::optional<PrimitiveHit> not_before_entry(PrimitiveHit hit, const BoxRay& ray, const Bounds3& bounds,
-                                                       float t_max) {
+/// Moves the hit; returns whether it is still before t_max.
+constexpr bool move_to_entry(PrimitiveHit& hit, const BoxRay& ray, const Bounds3& bounds, float t_max) {
   const float entry = ray.entry(with_margin(bounds));
   if (entry > hit.t && entry < kInfinity) hit.t = entry;
-  return hit.t < t_max ? std::optional<PrimitiveHit>(hit) : std::nullopt;
+  return hit.t < t_max;
+}
+constexpr std::optional<PrimitiveHit> not_before_entry(PrimitiveHit hit, const BoxRay& ray, const Bounds3& bounds,
+                                                       float t_max) {
+  return move_to_entry(hit, ray, bounds, t_max) ? std::optional<PrimitiveHit>(hit) : std::nullopt;
 }
 
 /// Returns the hit; `ray` is in the shape's space. AnyShape is Shape or PlainShape.
@@ -50,11 +54,14 @@ struct MeshRay {
   constexpr explicit MeshRay(const Ray& ray) : triangle(ray), box(ray), t_max(ray.t_max) {}
 };
 
-/// Returns what meet() returns for the same triangle of a mesh.
+/// Returns whether meet() returns a hit for the same triangle of a mesh, and sets it.
+constexpr bool meet(const MeshRay& ray, const Vec3& p0, const Vec3& p1, const Vec3& p2, PrimitiveHit& hit) {
+  return intersect(ray.triangle, p0, p1, p2, ray.t_max, hit) &&
+         move_to_entry(hit, ray.box, {min(min(p0, p1), p2), max(max(p0, p1), p2)}, ray.t_max);
+}
 constexpr std::optional<PrimitiveHit> meet(const MeshRay& ray, const Vec3& p0, const Vec3& p1, const Vec3& p2) {
-  const std::optional<PrimitiveHit> hit = intersect(ray.triangle, p0, p1, p2, ray.t_max);
-  if (!hit) return hit;
-  return not_before_entry(*hit, ray.box, {min(min(p0, p1), p2), max(max(p0, p1), p2)}, ray.t_max);
+  PrimitiveHit hit;
+  return meet(ray, p0, p1, p2, hit) ? std::optional<PrimitiveHit>(hit) : std::nullopt;
 }
 
 }  // namespace dspm

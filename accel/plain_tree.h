@@ -159,9 +159,10 @@ constexpr void find_in(const TrianglePacket& packet, const MeshRay& ray, const F
   for (std::size_t lane = 0; lane < TrianglePacket::kSize; ++lane) {
     const int shape = packet.shape[lane];
     if (shape < 0 || (frames[shape] & query.frames()).empty()) continue;
-    const auto hit = meet(ray, packet.corner(lane, 0), packet.corner(lane, 1), packet.corner(lane, 2));
-    if (!hit || hit->t > query.limit() || !in_holes.stopped(shape, packet.primitive[lane], hit->uv)) continue;
-    query.offer({hit->t, shape, packet.primitive[lane], hit->uv}, frames[shape] & query.frames());
+    PrimitiveHit hit;  // no std::optional: g++ would pass it through memory, slowly
+    if (!meet(ray, packet.corner(lane, 0), packet.corner(lane, 1), packet.corner(lane, 2), hit)) continue;
+    if (hit.t > query.limit() || !in_holes.stopped(shape, packet.primitive[lane], hit.uv)) continue;
+    query.offer({hit.t, shape, packet.primitive[lane], hit.uv}, frames[shape] & query.frames());
   }
 }
 

@@ -38,9 +38,10 @@ constexpr DoubleVec3 area_vector(const Vec3& p0, const Vec3& p1, const Vec3& p2)
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Returns the hit with t in (0, t_max), finite; uv are the barycentrics of p1 and p2. Both sides are hit.
-constexpr std::optional<PrimitiveHit> intersect(const TriangleRay& ray, const Vec3& p0, const Vec3& p1, const Vec3& p2,
-                                                float t_max) {
+/// Returns whether the ray hits, and sets the hit with t in (0, t_max), finite; uv are the barycentrics of p1 and p2. Both
+/// sides are hit.
+constexpr bool intersect(const TriangleRay& ray, const Vec3& p0, const Vec3& p1, const Vec3& p2, float t_max,
+                         PrimitiveHit& hit) {
   const Vec3 a = p0 - ray.origin, b = p1 - ray.origin, c = p2 - ray.origin;
   const float ax = a[ray.kx] - ray.sx * a[ray.kz], ay = a[ray.ky] - ray.sy * a[ray.kz];
   const float bx = b[ray.kx] - ray.sx * b[ray.kz], by = b[ray.ky] - ray.sy * b[ray.kz];
@@ -54,12 +55,12 @@ constexpr std::optional<PrimitiveHit> intersect(const TriangleRay& ray, const Ve
     v = static_cast<float>(double{ax} * cy - double{ay} * cx);
     w = static_cast<float>(double{bx} * ay - double{by} * ax);
   }
-  if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return std::nullopt;
+  if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return false;
   const float determinant = (u + v) + w;
-  if (determinant == 0) return std::nullopt;
+  if (determinant == 0) return false;
 
   const DoubleVec3 n = area_vector(p0, p1, p2);
-  if (!(dot(n, n) > 0)) return std::nullopt;
+  if (!(dot(n, n) > 0)) return false;
 
   // The edge functions would give the distance as well, but with an error that grows as the projected triangle gets
   // thin: a ray could meet the triangle that it leaves. In double, the side of the plane on which the origin lies is
@@ -68,9 +69,15 @@ constexpr std::optional<PrimitiveHit> intersect(const TriangleRay& ray, const Ve
   const float za = ray.sz * a[ray.kz], zb = ray.sz * b[ray.kz], zc = ray.sz * c[ray.kz];
   const float nearest = std::min(za, std::min(zb, zc)), farthest = std::max(za, std::max(zb, zc));
   const float t = std::max(nearest, std::min(plane_t, farthest));  // in this order, NaN becomes `nearest`
-  if (!(t > 0 && t < t_max && t < kInfinity)) return std::nullopt;
+  if (!(t > 0 && t < t_max && t < kInfinity)) return false;
   const float scale = 1 / determinant;
-  return PrimitiveHit{t, {v * scale, w * scale}};
+  hit = {t, {v * scale, w * scale}};
+  return true;
+}
+constexpr std::optional<PrimitiveHit> intersect(const TriangleRay& ray, const Vec3& p0, const Vec3& p1, const Vec3& p2,
+                                                float t_max) {
+  PrimitiveHit hit;
+  return intersect(ray, p0, p1, p2, t_max, hit) ? std::optional<PrimitiveHit>(hit) : std::nullopt;
 }
 
 }  // namespace dspm

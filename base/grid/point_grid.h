@@ -35,6 +35,7 @@ class PointGrid {
   std::size_t bytes() const;
   /// Returns the same grid for a device; this must outlive it, and be built no more.
   PlainGrid plain() const {
+    static_assert(PlainGrid::kPadding <= PointsWithin::kPadding);
     return {cells_, begin_.data(), x_.data(), y_.data(), z_.data(), begin_.size() - 1, order_.size()};
   }
 

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
 #include "dspm/base/colour/spectrum.h"
 #include "dspm/base/math/frames.h"
@@ -75,10 +74,10 @@ struct GatherSteps {
   constexpr void operator()(std::size_t i) const {
     const GatherPoint& point = points[i];
     if (point.scattering != GatherPoint::kConstant) return gather_scattered(i, scatterings[point.scattering]);
-    gather(i, kSound, [&](const PlainPhotonGrid& in, std::uint32_t place) -> std::optional<Spectrum> {
+    gather(i, kSound, [&](const PlainPhotonGrid& in, std::uint32_t place, Spectrum& flux) {
       const GatheredPhoton& photon = in.photons[place];
-      if (!(dot(photon.wi, point.ng) > 0)) return std::nullopt;
-      return photon.flux;
+      flux = photon.flux;
+      return dot(photon.wi, point.ng) > 0;
     });
   }
   void append_to(const WaveList<Spectrum>& to_own, const WaveList<FluxOfPoints::Rejection>& to_rejections) {
@@ -95,17 +94,18 @@ struct GatherSteps {
     const SurfaceGeometry met = shape.surface_point(at.hit.primitive, at.hit.uv);
     scene.materials[scene.place_in(scene.place_of_material(at.hit, at.inside), point.frames.lowest())].with_bsdf(
         met, {}, [&](const auto& bsdf) {
-          gather(i, shape.material, [&](const PlainPhotonGrid& in, std::uint32_t place) -> std::optional<Spectrum> {
+          gather(i, shape.material, [&](const PlainPhotonGrid& in, std::uint32_t place, Spectrum& flux) {
             const GatheredPhoton& photon = in.photons[place];
             const bool counts = at.transmits ? surface.counts(in.grid.point(place), photon.wi, in.faces[place])
                                              : dot(photon.wi, point.ng) > 0;
-            if (!counts) return std::nullopt;
-            return photon.flux * bsdf.evaluate(at.wo, photon.wi, Transport::radiance, at.lobes);
+            if (counts) flux = photon.flux * bsdf.evaluate(at.wo, photon.wi, Transport::radiance, at.lobes);
+            return counts;
           });
         });
   }
 
-  /// flux_of(grid, place) returns a photon's flux times f; nullopt if it does not count.
+  /// flux_of(grid, place, flux) returns whether a photon counts, and sets its flux times f. (g++ would pass a std::optional
+  /// through memory, slowly.)
   template <class FluxOf>
   constexpr void gather(std::size_t i, int material, const FluxOf& flux_of) const {
     const GatherPoint& point = points[i];
@@ -115,10 +115,10 @@ struct GatherSteps {
       const FrameSet frames = in.photons[place].frames & point.frames;
       ++found, separate += static_cast<std::uint32_t>(frames.count());
       if (frames.empty()) return;
-      const std::optional<Spectrum> flux = flux_of(in, place);
-      if (!flux) return;
-      if (material == kSound || is_light(*flux))
-        sums.add(frames, *flux);
+      Spectrum flux;
+      if (!flux_of(in, place, flux)) return;
+      if (material == kSound || is_light(flux))
+        sums.add(frames, flux);
       else
         rejections.append({static_cast<std::uint32_t>(i), rejected++, material, frames});
     };
