@@ -135,7 +135,7 @@ constexpr void traverse(const PlainTree& tree, const BoxRay& ray, Query& query, 
   }
 }
 
-/// The holes of shapes that have none. Those of others are told by a class of the same function.
+/// The holes of shapes that have none. Whoever knows those of others has a class with the same function.
 struct NoHoles {
   /// Returns what PlacedShape::stops() returns; `shape` is its number, the ray is in the world.
   static constexpr bool stops(int /*shape*/, const Ray& /*ray*/, int /*primitive*/, Vec2 /*uv*/) { return true; }

@@ -76,7 +76,7 @@ class PlainCopy {
   const Plain& value() const { return value_; }
 
  private:
-  using Key = std::tuple<const void*, std::size_t, std::type_index>;  // where it is, its length, of what
+  using Key = std::tuple<const void*, std::size_t, std::type_index>;  // the address, the number of elements, their type
 
   /// Copies all arrays of `value`, and has it point to the copies; those of no elements become null.
   template <class T>

@@ -15,7 +15,7 @@ namespace {
 
 template <class Settings>
 bool may_take_waves(const WaveTracer* tracer, const Scene& scene, const Settings& settings) {
-  return tracer != nullptr && why_not_in_waves(scene, settings).empty();
+  return tracer != nullptr && why_not_by_settings(scene, settings).empty();
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ std::optional<FluxOfPoints> TracedPaths::flux(const Scene& scene, std::span<cons
                                               const PhotonMap& photons,
                                               const std::function<float(const HitPoint&)>& radius2_of) {
   std::optional<FluxOfPoints> flux;
-  if (tracer_ != nullptr && why_not_plain(scene).empty())
+  if (tracer_ != nullptr)
     attempt(scene, [&] {
       if (may_gather_in_waves(tiles, photons, plain_->scene()))
         flux = gather_in_waves(*tracer_, tiles, photons, radius2_of);
@@ -69,7 +69,7 @@ std::optional<FluxOfPoints> TracedPaths::flux(const Scene& scene, std::span<cons
 template <class InWaves>
 bool TracedPaths::attempt(const Scene& scene, const InWaves& in_waves) {
   for (;;) try {
-      load(scene);
+      if (!load(scene)) return false;
       in_waves();
       return true;
     } catch (const OutOfMachineMemory& failure) {
@@ -80,12 +80,16 @@ bool TracedPaths::attempt(const Scene& scene, const InWaves& in_waves) {
 }
 
 // A scene whose shutter is open is not plain, so all iterations have one accelerator.
-void TracedPaths::load(const Scene& scene) {
-  if (accel_ == scene.accel.get() && palette_ == scene.palette) return;
-  accel_ = nullptr;
-  auto plain = std::make_unique<const PlainObjects>(scene);
-  tracer_->load(plain->scene());
-  plain_ = std::move(plain), accel_ = scene.accel.get(), palette_ = scene.palette;
+// A scene whose shutter is open is not plain, so all iterations have one accelerator.
+bool TracedPaths::load(const Scene& scene) {
+  if (accel_ == scene.accel.get() && palette_ == scene.palette) return plain_ != nullptr;
+  accel_ = nullptr, plain_.reset();
+  if (why_not_plain(scene).empty()) {
+    plain_ = std::make_unique<const PlainObjects>(scene);
+    tracer_->load(plain_->scene());
+  }
+  accel_ = scene.accel.get(), palette_ = scene.palette;
+  return plain_ != nullptr;
 }
 
 void TracedPaths::leave_gpu(const MachineFailure& failure) {

@@ -50,20 +50,20 @@ class TracedPaths {
   const std::string& why_off_gpu() const { return why_off_gpu_; }
 
  private:
-  /// Sees to it that the tracer has the scene, which is plain.
-  void load(const Scene& scene);
+  /// Sees to it that the tracer has the scene; returns false if the scene is not plain.
+  bool load(const Scene& scene);
   void leave_gpu(const MachineFailure& failure);
   /// Loads the scene and calls in_waves(), again with fewer paths at once if memory does not suffice. Returns false if the
-  /// tracer fails: it is left.
+  /// scene is not plain, or if the tracer fails: it is left.
   template <class InWaves>
   bool attempt(const Scene& scene, const InWaves& in_waves);
 
   std::unique_ptr<WaveTracer> tracer_;  // null: one by one
   bool goes_on_;
   std::string why_off_gpu_;
-  std::unique_ptr<const PlainObjects> plain_;
-  const Accel* accel_ = nullptr;            // of the scene that is loaded
-  std::shared_ptr<const Palette> palette_;  // that its materials have
+  std::unique_ptr<const PlainObjects> plain_;  // null: the scene is not
+  const Accel* accel_ = nullptr;               // of the scene that is loaded, or is not plain
+  std::shared_ptr<const Palette> palette_;     // that its materials have
 };
 
 }  // namespace dspm

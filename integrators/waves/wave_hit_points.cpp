@@ -116,12 +116,11 @@ class TileOfWaves {
 
 }  // namespace
 
-std::string why_not_in_waves(const Scene& scene, const HitPointSettings& settings) {
+std::string why_not_by_settings(const Scene& scene, const HitPointSettings& settings) {
   if (settings.sample_direct || settings.light_media || (settings.direct != nullptr && settings.direct->scatters()))
     return "rays from hit points look for lights";
   if (settings.go_on) return "camera paths go on from hit points";
   if (looks_differ(scene)) return "materials differ between frames";
-  if (std::string why = why_not_plain(scene); !why.empty()) return why;
   const bool averages = std::ranges::any_of(scene.materials, [&](const FrameStates<Material>& material) {
     return std::ranges::any_of(material.states, [&](const auto& state) {
       const auto plain = state.object->plain(*scene.palette);
@@ -129,6 +128,11 @@ std::string why_not_in_waves(const Scene& scene, const HitPointSettings& setting
     });
   });
   return averages ? "camera paths average textures over what they stand for" : "";
+}
+
+std::string why_not_in_waves(const Scene& scene, const HitPointSettings& settings) {
+  const std::string why = why_not_by_settings(scene, settings);
+  return why.empty() ? why_not_plain(scene) : why;
 }
 
 std::vector<HitPointTile> trace_hit_points_in_waves(const Scene& scene, const PlainScene& plain, WaveTracer& tracer,

@@ -17,6 +17,8 @@ namespace dspm {
 /// Returns what keeps the camera paths of these settings from being traced in waves, in words that follow "because"; empty
 /// if nothing does.
 std::string why_not_in_waves(const Scene& scene, const HitPointSettings& settings);
+/// The same for a scene that is plain.
+std::string why_not_by_settings(const Scene& scene, const HitPointSettings& settings);
 
 /// Does what trace_hit_points() does, for a scene and settings of which why_not_in_waves() says nothing; `plain` is the
 /// scene's, and `tracer` has it. What tiles have is the same, bit for bit, in the order of bounces; counts of rays are those of

@@ -117,14 +117,19 @@ bool has_strands(const Scene& scene, const PhotonSettings& settings, const Photo
 
 }  // namespace
 
-std::string why_not_in_waves(const Scene& scene, const PhotonSettings& settings) {
+std::string why_not_by_settings(const Scene& scene, const PhotonSettings& settings) {
   if (settings.keep_ends || settings.keep_seen || settings.own_wavelengths) return "its photons are those of a pilot";
   if (has_strands(scene, settings, PhotonStarts(scene, settings.share_paths)))
     return "lights differ between frames in strength or colour, and frames share paths (\"bool sharepaths\" false "
            "parts them)";
   if (settings.share_paths && looks_differ(scene))
     return "materials differ between frames, and frames share paths (\"bool sharepaths\" false parts them)";
-  return why_not_plain(scene);
+  return {};
+}
+
+std::string why_not_in_waves(const Scene& scene, const PhotonSettings& settings) {
+  const std::string why = why_not_by_settings(scene, settings);
+  return why.empty() ? why_not_plain(scene) : why;
 }
 
 std::vector<PhotonTrace> trace_photons_in_waves(const Scene& scene, WaveTracer& tracer, const PhotonSettings& settings,

@@ -14,6 +14,8 @@ namespace dspm {
 /// Returns what keeps photons with these settings from being traced in waves, in words that follow "because"; empty if nothing
 /// does.
 std::string why_not_in_waves(const Scene& scene, const PhotonSettings& settings);
+/// The same for a scene that is plain.
+std::string why_not_by_settings(const Scene& scene, const PhotonSettings& settings);
 
 /// Does what trace_photons() does, for a scene and settings of which why_not_in_waves() says nothing; `tracer` has the plain
 /// scene. Photons and their order are the same, bit for bit, but the traces' counts are those of the whole.

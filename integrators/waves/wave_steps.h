@@ -43,10 +43,26 @@ struct WaveStepOut {
   std::uint8_t* parted = nullptr;  // by path
   std::int64_t* sums = nullptr;    // WaveSums for each group of kSharers
   const State* paths = nullptr;    // of the wave
+};
 
-  constexpr void note_segment(FrameSet frames, int parts, std::uint32_t path, const WaveSums& shared) const {
-    shared.add_segment(frames);
-    if (parts > 1 || frames != all) parted[path] = 1;
+/// What a step of either kind reports, see photon_wave.h and camera_wave.h.
+template <class Steps, class State>
+struct WaveReports {
+  const Steps& to;
+  WaveSums sums;
+
+  constexpr void segment(const State& path, const HitPartition& parts) const {
+    sums.add_segment(path.frames);
+    if (parts.size() > 1 || path.frames != to.all) part(path);
+  }
+  constexpr void push(const State& path) const { to.next.append(path); }
+  constexpr void part(const State& path) const { to.parted[path.path] = 1; }
+  constexpr void reject_shape(const State& path, int shape) const { reject(path, true, shape); }
+  constexpr void reject_material(const State& path, int material) const { reject(path, false, material); }
+
+ private:
+  constexpr void reject(const State& path, bool is_shape, int index) const {
+    to.rejections.append({path.start, path.bounces, is_shape, index, path.frames});
   }
 };
 
@@ -60,21 +76,13 @@ struct PhotonSteps : WaveStepOut<PhotonState> {
     photons = to_photons, rejections = to_rejections;
   }
   constexpr void operator()(std::size_t i) const {
-    Out out{*this, {sums + i / kSharers * WaveSums::of_photons(all)}};
+    Out out{{*this, {sums + i / kSharers * WaveSums::of_photons(all)}}};
     step(scene, PlainSceneQuery{scene}, wave, paths[i], out);
   }
 
  private:
-  struct Out {
-    const PhotonSteps& to;
-    WaveSums sums;
-
-    constexpr void segment(const PhotonState& path, const HitPartition& parts) const {
-      to.note_segment(path.frames, parts.size(), path.path, sums);
-    }
+  struct Out : WaveReports<PhotonSteps, PhotonState> {
     constexpr void store(const WavePhoton& photon) const { to.photons.append(photon); }
-    constexpr void push(const PhotonState& path) const { to.next.append(path); }
-    constexpr void part(const PhotonState& path) const { to.parted[path.path] = 1; }
     constexpr void end(const PhotonState& path, PhotonEnd end) const {
       const FrameSet frames = path.frames;
       const std::int64_t flux = to.unit.of(sum(path.throughput));
@@ -92,12 +100,6 @@ struct PhotonSteps : WaveStepOut<PhotonState> {
                            const Spectrum& surviving) const {
       add(frames, WaveSums::kAbsorbed, to.unit.of(sum(before) - sum(after)));
       add(frames, WaveSums::kRoulette, to.unit.of(sum(after) - sum(surviving)));
-    }
-    constexpr void reject_shape(const PhotonState& path, int shape) const {
-      to.rejections.append({path.start, path.bounces, true, shape, path.frames});
-    }
-    constexpr void reject_material(const PhotonState& path, int material) const {
-      to.rejections.append({path.start, path.bounces, false, material, path.frames});
     }
 
     constexpr void add(FrameSet frames, WaveSums::Entry entry, std::int64_t flux) const {
@@ -118,28 +120,14 @@ struct CameraSteps : WaveStepOut<CameraState> {
     hit_points = to_hit_points, sights = to_sights, rejections = to_rejections;
   }
   constexpr void operator()(std::size_t i) const {
-    Out out{*this, {sums + i / kSharers * WaveSums::of_camera()}};
+    Out out{{*this, {sums + i / kSharers * WaveSums::of_camera()}}};
     step(scene, PlainSceneQuery{scene}, wave, paths[i], out);
   }
 
  private:
-  struct Out {
-    const CameraSteps& to;
-    WaveSums sums;
-
-    constexpr void segment(const CameraState& path, const HitPartition& parts) const {
-      to.note_segment(path.frames, parts.size(), path.path, sums);
-    }
+  struct Out : WaveReports<CameraSteps, CameraState> {
     constexpr void see(const WaveSight& sight) const { to.sights.append(sight); }
     constexpr void store(const WaveHitPoint& hit) const { to.hit_points.append(hit); }
-    constexpr void push(const CameraState& path) const { to.next.append(path); }
-    constexpr void part(const CameraState& path) const { to.parted[path.path] = 1; }
-    constexpr void reject_shape(const CameraState& path, int shape) const {
-      to.rejections.append({path.start, path.bounces, true, shape, path.frames});
-    }
-    constexpr void reject_material(const CameraState& path, int material) const {
-      to.rejections.append({path.start, path.bounces, false, material, path.frames});
-    }
   };
 };
 

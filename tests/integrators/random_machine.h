@@ -15,10 +15,12 @@
 #include <vector>
 
 #include "dspm/integrators/waves/machine.h"
+#include "dspm/integrators/waves/threads_machine.h"
 
 namespace dspm::test {
 
-class RandomMachine {
+/// Copies as the CPU does.
+class RandomMachine : public ThreadsMachine {
  public:
   static constexpr bool kOwnMemory = true;
 
@@ -38,10 +40,6 @@ class RandomMachine {
     bytes_left_ += sizes_.extract(memory).mapped();
     ::operator delete(memory, kAlignment);
   }
-  void copy_in(void* to, const void* from, std::size_t bytes) { std::memcpy(to, from, bytes); }
-  void copy_out(void* to, const void* from, std::size_t bytes) { std::memcpy(to, from, bytes); }
-  void copy(void* to, const void* from, std::size_t bytes) { std::memcpy(to, from, bytes); }
-  void clear(void* to, std::size_t bytes) { std::memset(to, 0, bytes); }
 
   template <class Fn>
   void for_each(std::size_t count, const Fn& fn) {
